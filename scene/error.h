@@ -5,6 +5,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace clucida::scene {
 
@@ -18,5 +19,8 @@ public:
     Error(Location at_, const std::string& what) : std::runtime_error(what), at(at_) {}
     Location at;
 };
+
+/// The same with its file and line: for an Error that has a place but was made where the text was not at hand.
+Error located(const Error& error, const std::string& file, std::string_view text);
 
 } // namespace clucida::scene
