@@ -210,7 +210,7 @@ std::optional<double> plain_number(std::string_view word)
 std::string suggestion(std::string_view word, const std::vector<std::string_view>& candidates)
 {
     constexpr std::size_t far = 3;
-    std::size_t best = std::min(far, word.size());
+    std::size_t best = std::min(far, word.size() / 2 + 1); // of a short word, less is left to recognise
     std::string_view nearest;
     for (const std::string_view candidate : candidates) {
         if (candidate.size() + far <= word.size() || word.size() + far <= candidate.size()) continue;
