@@ -156,12 +156,11 @@ typedef struct {
     u32 media_rule;
     u32 sky;
     u32 sky_image;
-    float sky_axis[3];                                      /* gradient: unit, up */
-    float sky_low[3], sky_middle[3], sky_high[3];           /* gradient: nadir, horizon, zenith; colour: sky_low */
-    float scale; /* of the scene: the greatest coordinate, for tolerances */
+    float sky_axis[3];                            /* gradient: unit, up */
+    float sky_low[3], sky_middle[3], sky_high[3]; /* gradient: nadir, horizon, zenith; colour: sky_low */
 } LayoutFrame;
-#define LAW_PAPER 0u   /* (2/pi) acos(1 - cos) */
-#define LAW_LAMBERT 1u /* cos */
+#define LAW_PAPER 0u          /* (2/pi) acos(1 - cos) */
+#define LAW_LAMBERT 1u        /* cos */
 #define LAW_INVERSE_SQUARE 2u /* cos / distance^2 */
 #define MEDIA_NEAREST 0u
 #define MEDIA_RANK 1u /* rayt's */
@@ -173,16 +172,16 @@ typedef struct {
 
 /* Statistics: STAT_SLOTS rows of STAT_COUNT counters; a work-item adds to row (its number mod STAT_SLOTS). */
 enum LayoutStat {
-    STAT_RAYS,         /* rays of all kinds that were traced, shadow rays apart */
-    STAT_PRIMARY,      /* ... from the observer */
-    STAT_REFLECTED,    /* ... after a reflection */
-    STAT_REFRACTED,    /* ... after a refraction */
-    STAT_SHADOW,       /* shadow rays */
-    STAT_QUERIES,      /* nearest-crossing searches */
-    STAT_TESTS,        /* objects tested past their bound */
-    STAT_SILENT,       /* crossings without optical effect */
-    STAT_PARITY,       /* interior contradicted by geometry: must be 0 */
-    STAT_NAN,          /* samples that were not a number: must be 0 */
+    STAT_RAYS,              /* rays of all kinds that were traced, shadow rays apart */
+    STAT_PRIMARY,           /* ... from the observer */
+    STAT_REFLECTED,         /* ... after a reflection */
+    STAT_REFRACTED,         /* ... after a refraction */
+    STAT_SHADOW,            /* shadow rays */
+    STAT_QUERIES,           /* nearest-crossing searches */
+    STAT_TESTS,             /* objects tested past their bound */
+    STAT_SILENT,            /* crossings without optical effect */
+    STAT_PARITY,            /* interior contradicted by geometry: must be 0 */
+    STAT_NAN,               /* samples that were not a number: must be 0 */
     STAT_INTERIOR_OVERFLOW, /* objects dropped from a full interior: must be 0, the host enlarges it */
     STAT_STACK_OVERFLOW,    /* branches dropped from a full stack: must be 0 */
     STAT_STUCK,             /* rays given up after too many silent crossings: must be 0 */

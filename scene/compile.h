@@ -45,6 +45,9 @@ struct Compiled {
         0; ///< the most objects that may hold one point; needs.interior may be less to begin with
 };
 
+/// Where the observer's eye is: the origin of the buffers' coordinates.
+Vec3 eye_of(const Scene& scene);
+
 /// @throws Error (scene/error.h) naming the statement, for what a scene's text could not show to be wrong:
 /// a solid too large when expanded, a transform that flattens, a photograph that cannot be read.
 Compiled compile(const Scene& scene, const View& view);

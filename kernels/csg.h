@@ -1,0 +1,257 @@
+/* An object's next boundary along a ray: groups of members give spans, a boolean program combines them. */
+#ifndef CLUCIDA_CSG_H
+#define CLUCIDA_CSG_H
+
+#include "kernels/solids/plane.h"
+#include "kernels/solids/quadric.h"
+#include "kernels/solids/sphere.h"
+
+/* A boundary met at ray parameter t. face carries MEMBER_INVERSE where the object lies outside the primitive. */
+typedef struct {
+    real t, slope;
+    u32 face;
+} Crossing;
+
+static inline Span member_span(const World* world, u32 member, const Line* line)
+{
+    const int left = (member & ~MEMBER_INVERSE) == line->left;
+    const u32 index = member >> MEMBER_SHIFT;
+    Span span = span_nothing();
+    switch (member & MEMBER_KIND) {
+#ifdef CLU_PLANE
+    case MEMBER_PLANE: span = plane_span(&world->planes[index], line, left); break;
+#endif
+#ifdef CLU_SPHERE
+    case MEMBER_SPHERE: span = sphere_span(&world->spheres[index], line, left); break;
+#endif
+#ifdef CLU_QUADRIC
+    case MEMBER_QUADRIC: span = quadric_span(&world->quadrics[index], line, left); break;
+#endif
+    default: break;
+    }
+    if (member & MEMBER_INVERSE) span.keep = !span.keep;
+    span.face_lo = span.face_hi = member;
+    return span;
+}
+
+/* The outward normal of the object at p (relative to its centre), which moves onto the surface. */
+static inline vec member_normal(const World* world, u32 member, vec* p)
+{
+    const u32 index = member >> MEMBER_SHIFT;
+    vec n = make_vec(R(0), R(0), R(1));
+    switch (member & MEMBER_KIND) {
+#ifdef CLU_PLANE
+    case MEMBER_PLANE: n = plane_normal(&world->planes[index], p); break;
+#endif
+#ifdef CLU_SPHERE
+    case MEMBER_SPHERE: n = sphere_normal(&world->spheres[index], p); break;
+#endif
+#ifdef CLU_QUADRIC
+    case MEMBER_QUADRIC: n = quadric_normal(&world->quadrics[index], p); break;
+#endif
+    default: break;
+    }
+    return member & MEMBER_INVERSE ? scaled(n, R(-1)) : n;
+}
+
+/* All but nothing is everything; a span that starts or ends nowhere keeps one side. */
+static inline Span span_simplified(Span s)
+{
+    if (s.keep) return s;
+    if (!(s.lo < s.hi)) return span_everything();
+    if (s.lo == -INFINITE && s.hi == INFINITE) return span_nothing();
+    if (s.lo == -INFINITE) {
+        s.lo = s.hi;
+        s.slope_lo = s.slope_hi;
+        s.face_lo = s.face_hi;
+        s.hi = INFINITE;
+        s.keep = 1;
+    } else if (s.hi == INFINITE) {
+        s.hi = s.lo;
+        s.slope_hi = s.slope_lo;
+        s.face_hi = s.face_lo;
+        s.lo = -INFINITE;
+        s.keep = 1;
+    }
+    return s;
+}
+
+/* The intersection of convex members, or a single member of any kind; turned inside out if the group says so. */
+static inline Span group_span(const World* world, const LayoutGroup group, const Line* line)
+{
+    Span span = member_span(world, world->members[group.begin], line);
+    for (u32 i = 1; i < group.count && span.lo < span.hi; i++) {
+        const Span m = member_span(world, world->members[group.begin + i], line);
+        if (m.lo > span.lo) {
+            span.lo = m.lo;
+            span.slope_lo = m.slope_lo;
+            span.face_lo = m.face_lo;
+        }
+        if (m.hi < span.hi) {
+            span.hi = m.hi;
+            span.slope_hi = m.slope_hi;
+            span.face_hi = m.face_hi;
+        }
+    }
+    if (group.inverse) {
+        span.keep = !span.keep;
+        span.face_lo ^= MEMBER_INVERSE;
+        span.face_hi ^= MEMBER_INVERSE;
+    }
+    return span_simplified(span);
+}
+
+/* Whether the span holds the point just after x, and after all ends that rounding cannot tell from x. */
+static inline int span_holds(const Line* line, const Span* s, real x, real err)
+{
+    const int after_lo = passed(line, s->lo, s->slope_lo, x, err);
+    const int after_hi = passed(line, s->hi, s->slope_hi, x, err);
+    return (after_lo && !after_hi) == s->keep;
+}
+
+#ifdef CLU_GROUPS
+static inline int object_holds(const World* world, const LayoutObject* object, const Line* line, const Span* spans,
+                               real x, real err)
+{
+#ifdef CLU_PROGRAM
+    if (object->program_count) {
+        u32 bits = 0; /* the stack, its top at bit 0 */
+        for (u32 i = 0; i < object->program_count; i++) {
+            const u32 op = world->programs[object->program_begin + i];
+            const u32 n = op >> OP_SHIFT;
+            if ((op & OP_MASK) == OP_GROUP) {
+                bits = bits << 1 | (u32)span_holds(line, &spans[n], x, err);
+            } else {
+                const u32 mask = (2u << (n - 1)) - 1u;
+                const u32 top = bits & mask;
+                const u32 value = (op & OP_MASK) == OP_AND ? top == mask : top != 0u;
+                bits = n < 32 ? bits >> n << 1 | value : value;
+            }
+        }
+        return (int)(bits & 1u);
+    }
+#endif
+    for (u32 i = 0; i < object->group_count; i++)
+        if (!span_holds(line, &spans[i], x, err)) return 0;
+    return 1;
+}
+
+/* The end nearest to x at which the object is entered (or left). */
+static inline Crossing nearest_face(const Span* spans, u32 count, real x, int entering)
+{
+    Crossing best = {INFINITE, R(0), MEMBER_NONE};
+    for (u32 i = 0; i < count; i++) {
+        const Span* s = &spans[i];
+        const int at_lo = s->keep == entering;
+        const real t = at_lo ? s->lo : s->hi;
+        if (fabs(t - x) < fabs(best.t - x)) {
+            best.t = t;
+            best.slope = at_lo ? s->slope_lo : s->slope_hi;
+            best.face = at_lo ? s->face_lo : s->face_hi;
+        }
+    }
+    return best;
+}
+
+/* The least end after x that has not been passed. */
+static inline real next_end(const Line* line, const Span* spans, u32 count, real x, real err)
+{
+    real next = INFINITE;
+    for (u32 i = 0; i < count; i++) {
+        const Span s = spans[i];
+        if (s.lo < next && !passed(line, s.lo, s.slope_lo, x, err)) next = s.lo;
+        if (s.hi < next && !passed(line, s.hi, s.slope_hi, x, err)) next = s.hi;
+    }
+    return next;
+}
+#endif
+
+/* The ray in the object's frame. */
+static inline Line make_line(const Ray* ray, vec center)
+{
+    Line line;
+    line.d = ray->d;
+    line.dd = dot3(ray->d, ray->d);
+    line.origin = sub(ray->o, center);
+    const vec k = cross_exact(line.origin, ray->d);
+    line.base = scaled(cross_exact(ray->d, k), R(1) / line.dd);
+    line.start = dot3(line.origin, ray->d) / line.dd;
+    line.left = ray->left;
+    line.left_inside = ray->left_inside;
+    return line;
+}
+
+/* A boundary that must lie at x, since the interior says one thing and geometry another. Within rounding it does;
+ * beyond, the interior was wrong: the crossing then has no face, and is counted. */
+static inline Crossing crossing_here(World* world, const Line* line, Crossing found, real x, real err)
+{
+    const real error = line_error(line, x) + err;
+    if (!(fabs(found.t - line->start - x) <= R(16) * fmax(found.slope, R(1)) * error)) {
+        COUNT(world, STAT_PARITY);
+        found.face = MEMBER_NONE;
+    }
+    found.t = x;
+    return found;
+}
+
+/* Where the object's boundary is next crossed by a ray that at parameter x (known to err) is inside it, or not.
+ * Returns 1 and the crossing, or 0. */
+static inline int object_crossing(World* world, const LayoutObject* object, const Line* line, real x, real err,
+                                  int inside, Crossing* crossing)
+{
+    const real from = line->start + x;
+#ifdef CLU_GROUPS
+    if (object->group_count > 1 || object->program_count) {
+        Span spans[CLU_GROUP_CAPACITY];
+        const u32 count = object->group_count;
+        for (u32 i = 0; i < count; i++) {
+            const Span s = group_span(world, world->groups[object->group_begin + i], line);
+            spans[i] = s;
+            /* An intersection one of whose members has nothing ahead is done with. */
+            if (!inside && !object->program_count && s.keep && !(s.lo < s.hi && s.hi >= from)) return 0;
+        }
+        if (object_holds(world, object, line, spans, from, err) != inside) {
+            *crossing = crossing_here(world, line, nearest_face(spans, count, from, !inside), x, err);
+            return 1;
+        }
+        real at = from;
+        do {
+            at = next_end(line, spans, count, at, at == from ? err : R(0));
+            if (!(at < INFINITE)) return 0;
+        } while (object_holds(world, object, line, spans, at, R(0)) == inside);
+        *crossing = nearest_face(spans, count, at, !inside);
+        crossing->t = at - line->start;
+        return 1;
+    }
+#endif
+    const Span s = group_span(world, world->groups[object->group_begin], line);
+    const int at_lo = s.keep == !inside;
+    crossing->t = at_lo ? s.lo : s.hi;
+    crossing->slope = at_lo ? s.slope_lo : s.slope_hi;
+    crossing->face = at_lo ? s.face_lo : s.face_hi;
+    if (span_holds(line, &s, from, err) != inside) {
+        *crossing = crossing_here(world, line, *crossing, x, err);
+        return 1;
+    }
+    if (!is_finite(crossing->t)) return 0;
+    if (at_lo && (passed(line, s.lo, s.slope_lo, from, err) || passed(line, s.hi, s.slope_hi, s.lo, R(0)))) return 0;
+    crossing->t -= line->start;
+    return 1;
+}
+
+/* Whether the object holds the ray's start: on its boundary the ray's own side decides. */
+static inline int object_holds_start(const World* world, const LayoutObject* object, const Line* line)
+{
+#ifdef CLU_GROUPS
+    if (object->group_count > 1 || object->program_count) {
+        Span spans[CLU_GROUP_CAPACITY];
+        for (u32 i = 0; i < object->group_count; i++)
+            spans[i] = group_span(world, world->groups[object->group_begin + i], line);
+        return object_holds(world, object, line, spans, line->start, R(0));
+    }
+#endif
+    const Span s = group_span(world, world->groups[object->group_begin], line);
+    return span_holds(line, &s, line->start, R(0));
+}
+
+#endif

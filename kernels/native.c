@@ -1,0 +1,127 @@
+/* The kernels' C core as C11, with every feature; compiled once for float and once for double (CLU_DOUBLE). */
+#include "kernels/native_api.h"
+
+#include "kernels/observer.h"
+
+#ifdef CLU_DOUBLE
+#define NATIVE(name) name##_d
+#else
+#define NATIVE(name) name##_f
+#endif
+
+static World make_world(const NativeScene* scene)
+{
+    const void* const* b = scene->buffers;
+    World world = {b[BUFFER_FRAME],  b[BUFFER_OBJECTS], b[BUFFER_GROUPS],   b[BUFFER_MEMBERS], b[BUFFER_PROGRAMS],
+                   b[BUFFER_PLANES], b[BUFFER_SPHERES], b[BUFFER_QUADRICS], b[BUFFER_OPTICS],  b[BUFFER_TEXTURES],
+                   b[BUFFER_IMAGES], b[BUFFER_TEXELS],  b[BUFFER_LIGHTS],   b[BUFFER_STARTS],  {0}};
+    return world;
+}
+
+static void add_stats(const World* world, u32* stats)
+{
+    for (u32 k = 0; k < STAT_COUNT; k++) stats[k] += world->stats[k];
+}
+
+static vec from_doubles(const double* v)
+{
+    return make_vec((real)v[0], (real)v[1], (real)v[2]);
+}
+
+static void to_doubles(vec v, double* out)
+{
+    out[0] = v.x;
+    out[1] = v.y;
+    out[2] = v.z;
+}
+
+static Ray make_ray(const NativeRay* r)
+{
+    Ray ray;
+    ray.o = from_doubles(r->o);
+    ray.d = renormalized(from_doubles(r->d));
+    ray.left = r->left;
+    ray.left_inside = r->left_inside;
+    ray.err = r->left == MEMBER_NONE ? R(0) : position_error(ray.o, R(0));
+    return ray;
+}
+
+void NATIVE(native_render)(const NativeScene* scene, u32 x0, u32 y0, u32 width, u32 height, u32 sample_begin,
+                           u32 sample_end, float* rgba, u32* stats)
+{
+    World world = make_world(scene);
+    for (u32 j = 0; j < height; j++) {
+        for (u32 i = 0; i < width; i++) {
+            float* pixel = rgba + 4 * ((size_t)j * width + i);
+            pixel[0] = pixel[1] = pixel[2] = pixel[3] = 0;
+            for (u32 sample = sample_begin; sample < sample_end; sample++) {
+                const rgb color = observe(&world, x0 + i, y0 + j, sample);
+                pixel[0] += (float)color.r;
+                pixel[1] += (float)color.g;
+                pixel[2] += (float)color.b;
+            }
+        }
+    }
+    add_stats(&world, stats);
+}
+
+int NATIVE(native_surface)(const NativeScene* scene, const NativeRay* ray, const u32* inside, u32 count,
+                           NativeSurface* surface, u32* stats)
+{
+    World world = make_world(scene);
+    const Ray r = make_ray(ray);
+    Interior interior = {0}, beyond = {0};
+    for (u32 i = 0; i < count; i++) interior_toggle(&world, &interior, inside[i]);
+    Surface s;
+    const int found = next_surface(&world, &r, &interior, &beyond, &s);
+    add_stats(&world, stats);
+    if (!found) return 0;
+    surface->t = s.t;
+    to_doubles(s.p, surface->p);
+    to_doubles(s.n, surface->n);
+    surface->object = s.object;
+    surface->before = s.before;
+    surface->after = s.after;
+    surface->left = s.left;
+    surface->beyond_inside = s.beyond_inside;
+    return 1;
+}
+
+void NATIVE(native_trace)(const NativeScene* scene, const NativeRay* ray, double rgb_out[3], u32* stats)
+{
+    World world = make_world(scene);
+    Branch branch;
+    branch.ray = make_ray(ray);
+    branch.throughput = branch.weight = grey(R(1));
+    branch.hops = world.frame->max_hops;
+    branch.interior.count = 0;
+    const rgb color = trace(&world, &branch);
+    rgb_out[0] = color.r;
+    rgb_out[1] = color.g;
+    rgb_out[2] = color.b;
+    add_stats(&world, stats);
+}
+
+int NATIVE(native_refract)(const double d[3], const double n[3], double w, double out[3], double* reflectance)
+{
+    const vec direction = from_doubles(d), normal = from_doubles(n);
+    const real cosine = -dot3(direction, normal);
+    const real det = refraction_det((real)w, cosine);
+    if (!(det >= R(0))) return 0;
+    to_doubles(refracted(direction, normal, (real)w, cosine, det), out);
+    *reflectance = fresnel_reflectance((real)w, cosine, det);
+    return 1;
+}
+
+double NATIVE(native_diffuse)(u32 law, double cosine, double distance)
+{
+    return diffuse(law, (real)cosine, (real)distance);
+}
+
+void NATIVE(native_unpack_filter)(u32 packed, double out[3])
+{
+    const rgb c = unpack_filter(packed);
+    out[0] = c.r;
+    out[1] = c.g;
+    out[2] = c.b;
+}

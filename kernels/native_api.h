@@ -1,0 +1,62 @@
+/* The C core built natively, as unit tests, sanitizers and the native baseline call it: every feature in, in float
+ * (suffix f) and in double (suffix d). Points and directions are doubles that the core takes as its own type;
+ * points are relative to the eye, as the buffers are. */
+#ifndef CLUCIDA_NATIVE_API_H
+#define CLUCIDA_NATIVE_API_H
+
+#include "kernels/layout.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The scene's buffers in the order of LayoutBuffer; an empty one may be null. */
+typedef struct {
+    const void* buffers[BUFFER_COUNT];
+} NativeScene;
+
+/* A ray, and the primitive that it leaves (MEMBER_NONE: none). */
+typedef struct {
+    double o[3], d[3];
+    u32 left;
+    int left_inside;
+} NativeRay;
+
+typedef struct {
+    double t, p[3], n[3];
+    u32 object, before, after; /* 0xffffffff: vacuum */
+    u32 left;
+    int beyond_inside;
+} NativeSurface;
+
+/* Samples sample_begin..sample_end-1 of the pixels x0..x0+width-1, y0..y0+height-1 (all within the picture): their
+ * sums of r, g, b, 0 go to rgba, row by row; counters are added to stats[STAT_COUNT]. */
+void native_render_f(const NativeScene* scene, u32 x0, u32 y0, u32 width, u32 height, u32 sample_begin, u32 sample_end,
+                     float* rgba, u32* stats);
+void native_render_d(const NativeScene* scene, u32 x0, u32 y0, u32 width, u32 height, u32 sample_begin, u32 sample_end,
+                     float* rgba, u32* stats);
+
+/* The next surface of a ray whose origin lies in the given objects (ascending ids). Returns 1, or 0 if there is none.
+ * stats: STAT_COUNT counters that are added to. */
+int native_surface_f(const NativeScene* scene, const NativeRay* ray, const u32* inside, u32 count,
+                     NativeSurface* surface, u32* stats);
+int native_surface_d(const NativeScene* scene, const NativeRay* ray, const u32* inside, u32 count,
+                     NativeSurface* surface, u32* stats);
+
+/* What arrives along a ray from outside every object. */
+void native_trace_f(const NativeScene* scene, const NativeRay* ray, double rgb_out[3], u32* stats);
+void native_trace_d(const NativeScene* scene, const NativeRay* ray, double rgb_out[3], u32* stats);
+
+/* Refraction and reflection of direction d at unit normal n (on the side that d comes from), w = n1/n2.
+ * Returns 0 at total reflection. */
+int native_refract_f(const double d[3], const double n[3], double w, double out[3], double* reflectance);
+int native_refract_d(const double d[3], const double n[3], double w, double out[3], double* reflectance);
+double native_diffuse_f(u32 law, double cosine, double distance);
+double native_diffuse_d(u32 law, double cosine, double distance);
+void native_unpack_filter_f(u32 packed, double out[3]);
+void native_unpack_filter_d(u32 packed, double out[3]);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

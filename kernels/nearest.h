@@ -1,0 +1,93 @@
+/* Searches over the objects: the nearest crossing with all that coincide with it, and whether a light is hidden. */
+#ifndef CLUCIDA_NEAREST_H
+#define CLUCIDA_NEAREST_H
+
+#include "kernels/csg.h"
+#include "kernels/interior.h"
+
+/* Boundaries crossed as one. More than fit are met again at once by the next search. */
+#define INTERFACE_CAPACITY 6
+typedef struct {
+    real t;
+    u32 count;
+    u32 ids[INTERFACE_CAPACITY];
+    Crossing crossings[INTERFACE_CAPACITY];
+} Interface;
+
+/* Whether the bounding sphere is met between parameters from and to. Its radius has the host's margin. */
+static inline int bound_met(const LayoutObject* object, const Line* line, real from, real to)
+{
+    const real radius = R(object->radius);
+    if (!is_finite(radius)) return 1;
+    return dot3(line->base, line->base) <= radius * radius && from <= radius - line->start &&
+           to >= -line->start - radius;
+}
+
+static inline void interface_add(Interface* face, u32 id, Crossing crossing, real err)
+{
+    if (crossing.t < face->t) {
+        /* The new nearest goes first; what no longer coincides with it goes away. */
+        u32 kept = 0;
+        for (u32 i = 0; i < face->count; i++) {
+            const Crossing c = face->crossings[i];
+            if (c.t - c.slope * err <= crossing.t && kept < INTERFACE_CAPACITY - 1) {
+                face->ids[kept] = face->ids[i];
+                face->crossings[kept] = c;
+                kept++;
+            }
+        }
+        face->t = crossing.t;
+        face->count = kept;
+    } else if (!(crossing.t - crossing.slope * err <= face->t) || face->count == INTERFACE_CAPACITY) {
+        return;
+    }
+    face->ids[face->count] = id;
+    face->crossings[face->count] = crossing;
+    face->count++;
+}
+
+/* The nearest crossing of any object from ray parameter x on, and those that rounding cannot tell from it.
+ * Returns 0 if there is none. */
+static inline int nearest_interface(World* world, const Ray* ray, real x, real err, const Interior* interior,
+                                    Interface* face)
+{
+    const u32 count = world->frame->object_count;
+    face->t = INFINITE;
+    face->count = 0;
+    COUNT(world, STAT_QUERIES);
+    for (u32 id = 0; id < count; id++) {
+        const LayoutObject object = world->objects[id];
+        const int inside = interior_has(interior, id);
+        const Line line = make_line(ray, load_vec(object.center));
+        if (!inside && !bound_met(&object, &line, x - err, face->t + err)) continue;
+        COUNT(world, STAT_TESTS);
+        Crossing crossing;
+        if (object_crossing(world, &object, &line, x, err, inside, &crossing))
+            interface_add(face, id, crossing, position_error(ray->o, crossing.t));
+    }
+    return face->count > 0;
+}
+
+#ifdef CLU_LIGHTS
+/* Whether any solid's boundary lies between the ray's start and the light at the given distance. A boundary that the
+ * light itself lies on does not count. */
+static inline int is_hidden(World* world, const Ray* ray, real distance)
+{
+    const u32 count = world->frame->object_count;
+    const real err = position_error(ray->o, distance);
+    COUNT(world, STAT_SHADOW);
+    for (u32 id = 0; id < count; id++) {
+        const LayoutObject object = world->objects[id];
+        const Line line = make_line(ray, load_vec(object.center));
+        if (!bound_met(&object, &line, R(0), distance)) continue;
+        COUNT(world, STAT_TESTS);
+        Crossing crossing;
+        if (object_crossing(world, &object, &line, R(0), ray->err, 0, &crossing) &&
+            crossing.t + crossing.slope * err < distance)
+            return 1;
+    }
+    return 0;
+}
+#endif
+
+#endif

@@ -1,0 +1,52 @@
+/* The observer: where the rays of a pixel start and where they go. */
+#ifndef CLUCIDA_OBSERVER_H
+#define CLUCIDA_OBSERVER_H
+
+#include "kernels/trace.h"
+
+/* Offset of sample i within the pixel, 0..1: the first lies in the middle, the rest follow the R2 sequence (the
+ * plastic number's; M. Roberts 2018), in 32-bit fixed point so that it is the same everywhere. */
+static inline void sample_offset(u32 i, u32 corner, real* a, real* b)
+{
+    const u32 start = corner ? 0u : 0x80000000u;
+    *a = R(start + i * 3242174889u) / R(4294967296.0f);
+    *b = R(start + i * 2447445414u) / R(4294967296.0f);
+}
+
+/* The ray through pixel (i, j), and the interior of its start. */
+static inline void observer_branch(World* world, u32 i, u32 j, u32 sample, Branch* branch)
+{
+    __global const LayoutFrame* f = world->frame;
+    real a, b;
+    sample_offset(sample, f->corner, &a, &b);
+    const real u = (R(i) - R(0.5f) * R(f->width) + a) / R(f->width);
+    const real v = (R(j) - R(0.5f) * R(f->height) + b) / R(f->height);
+    const vec s = add(scaled(load_vec(f->column), u), scaled(load_vec(f->row), v));
+    branch->ray.o = scaled(s, R(f->window));
+    branch->ray.d = renormalized(normalized(add(load_vec(f->forward), s)));
+    branch->ray.left = MEMBER_NONE;
+    branch->ray.left_inside = 0;
+    branch->ray.err = R(0);
+    branch->throughput = branch->weight = grey(R(1));
+    branch->hops = f->max_hops;
+    branch->interior.count = 0;
+    for (u32 k = 0; k < f->start_count; k++) {
+        const u32 id = world->starts[k];
+        const LayoutObject object = world->objects[id];
+        const Line line = make_line(&branch->ray, load_vec(object.center));
+        if (object_holds_start(world, &object, &line)) interior_toggle(world, &branch->interior, id);
+    }
+}
+
+/* One sample of a pixel: linear light. */
+static inline rgb observe(World* world, u32 i, u32 j, u32 sample)
+{
+    Branch branch;
+    observer_branch(world, i, j, sample, &branch);
+    const rgb color = trace(world, &branch);
+    if (color.r == color.r && color.g == color.g && color.b == color.b) return color;
+    COUNT(world, STAT_NAN);
+    return grey(R(0));
+}
+
+#endif

@@ -1,0 +1,56 @@
+/* What a surface does to light: mirror directions, refraction, Fresnel's weights, the laws of diffuse light. */
+#ifndef CLUCIDA_OPTICS_H
+#define CLUCIDA_OPTICS_H
+
+#include "kernels/color.h"
+#include "kernels/world.h"
+
+static inline vec reflected(vec d, vec n, real cosine)
+{
+    return renormalized(along(d, n, R(2) * cosine));
+}
+
+/* Snell's law for a ray that comes from index n1 to n2; w = n1/n2, n the unit normal on the side that it comes from,
+ * cosine = -d.n. det < 0 means total reflection. Written so that w = 1 changes nothing at all. */
+static inline real refraction_det(real w, real cosine)
+{
+    const real wa = w * cosine;
+    return fma(wa, wa, (R(1) - w) * (R(1) + w));
+}
+
+static inline vec refracted(vec d, vec n, real w, real cosine, real det)
+{
+    const real s = fma(w, cosine, sqrt(det));
+    if (w == R(1) || s == R(0)) return d;
+    return renormalized(along(scaled(d, w), n, (w - R(1)) * (w + R(1)) / s));
+}
+
+#ifdef CLU_FRESNEL
+/* The reflected part of unpolarised light (Fresnel; Born and Wolf, Principles of Optics, 1.5.2). */
+static inline real fresnel_reflectance(real w, real cosine, real det)
+{
+    const real other = sqrt(det);
+    if (w == R(1)) return R(0);
+    const real s = (w * cosine - other) / (w * cosine + other);
+    const real p = (w * other - cosine) / (w * other + cosine);
+    const real r = R(0.5f) * (s * s + p * p);
+    return r == r ? r : R(1);
+}
+#endif
+
+#ifdef CLU_LIGHTS
+/* How much of a light arrives at an angle of the given cosine > 0 over the given distance. */
+static inline real diffuse(u32 law, real cosine, real distance)
+{
+#ifdef CLU_LIGHT_INVERSE_SQUARE
+    if (law == LAW_INVERSE_SQUARE) return cosine / (distance * distance);
+#endif
+#ifdef CLU_LIGHT_LAMBERT
+    if (law == LAW_LAMBERT) return cosine;
+#endif
+    /* The paper's (2/pi) acos(1 - a), without its cancellation at the terminator. */
+    return R(4) / PI_REAL * asin(sqrt(R(0.5f) * fmin(cosine, R(1))));
+}
+#endif
+
+#endif

@@ -1,0 +1,70 @@
+/* The floating-point type, and arithmetic that keeps what rounding would lose. */
+#ifndef CLUCIDA_REAL_H
+#define CLUCIDA_REAL_H
+
+#ifdef __OPENCL_VERSION__
+#pragma OPENCL FP_CONTRACT OFF
+#ifdef CLU_DOUBLE
+#pragma OPENCL EXTENSION cl_khr_fp64 : enable
+#endif
+#else
+#include "kernels/native.h"
+#endif
+
+#ifdef CLU_DOUBLE
+typedef double real;
+#define UNIT_ROUNDOFF 1.1102230246251565e-16
+#define PI_REAL 3.14159265358979323846
+#else
+typedef float real;
+#define UNIT_ROUNDOFF 5.9604644775390625e-8f
+#define PI_REAL 3.14159265358979323846f
+#endif
+
+/* A constant of type real: R(0.5f). Only values that float holds exactly. */
+#define R(x) ((real)(x))
+#define INFINITE ((real)INFINITY)
+
+static inline int is_finite(real x)
+{
+    return fabs(x) < INFINITE;
+}
+static inline real square(real x)
+{
+    return x * x;
+}
+
+/* a b - c d to within 1.5 ulp (Kahan; Jeannerod, Louvet, Muller 2013). */
+static inline real difference_of_products(real a, real b, real c, real d)
+{
+    const real w = c * d;
+    const real e = fma(-c, d, w);
+    return fma(a, b, -w) + e;
+}
+
+/* A sum of products with the rounding errors carried along (Dot2: Ogita, Rump, Oishi 2005). */
+typedef struct {
+    real sum, error;
+} Sum;
+
+static inline void sum_add(Sum* s, real a)
+{
+    const real t = s->sum + a;
+    const real z = t - s->sum;
+    s->error += (s->sum - (t - z)) + (a - z);
+    s->sum = t;
+}
+
+static inline void sum_product(Sum* s, real a, real b)
+{
+    const real p = a * b;
+    s->error += fma(a, b, -p);
+    sum_add(s, p);
+}
+
+static inline real sum_value(Sum s)
+{
+    return s.sum + s.error;
+}
+
+#endif

@@ -1,0 +1,27 @@
+/* The half-space behind a plane: dot(n, p) < h. */
+#ifndef CLUCIDA_PLANE_H
+#define CLUCIDA_PLANE_H
+
+#include "kernels/span.h"
+
+static inline Span plane_span(__global const LayoutPlane* plane, const Line* line, int left)
+{
+    const vec n = load_vec(plane->n);
+    const real nd = dot3(n, line->d);
+    if (left) return span_left(line, R(0), R(0), R(0));
+    const real height = dot3(n, line->base) - R(plane->h);
+    if (nd == R(0)) return height < R(0) ? span_everything() : span_nothing();
+    const real t = -height / nd;
+    const real slope = R(1) / fabs(nd);
+    return nd < R(0) ? make_span(t, INFINITE, slope, 1) : make_span(-INFINITE, t, slope, 1);
+}
+
+/* Outward normal; *p moves onto the surface. */
+static inline vec plane_normal(__global const LayoutPlane* plane, vec* p)
+{
+    const vec n = load_vec(plane->n);
+    *p = along(*p, n, R(plane->h) - dot3(n, *p));
+    return n;
+}
+
+#endif

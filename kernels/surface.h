@@ -1,0 +1,70 @@
+/* The next optically present surface along a ray: precedence decides, silent crossings are passed by. */
+#ifndef CLUCIDA_SURFACE_H
+#define CLUCIDA_SURFACE_H
+
+#include "kernels/nearest.h"
+
+typedef struct {
+    real t;            /* distance from the ray's origin */
+    vec p;             /* the point, relative to the eye */
+    vec n;             /* outward unit normal of the object */
+    vec facing;        /* the normal on the side that the ray comes from */
+    real cosine;       /* of the angle of incidence, >= 0 */
+    u32 object;        /* whose surface it is: the highest in precedence of those left and entered */
+    u32 before, after; /* the media in force on the two sides */
+    int entering;      /* the object is entered, not left */
+    u32 left;          /* the primitive, as a ray that leaves it names it */
+    int beyond_inside; /* whether the far side is the primitive's inside */
+} Surface;
+
+static inline Surface make_surface(const World* world, const Ray* ray, u32 id, Crossing crossing, u32 before, u32 after)
+{
+    Surface s;
+    const vec center = load_vec(world->objects[id].center);
+    const Line line = make_line(ray, center);
+    vec p = along(line.base, line.d, line.start + crossing.t);
+    s.n = member_normal(world, crossing.face, &p);
+    s.p = add(center, p);
+    s.t = crossing.t;
+    s.object = id;
+    s.before = before;
+    s.after = after;
+    s.entering = after == id;
+    s.facing = s.entering ? s.n : scaled(s.n, R(-1));
+    s.cosine = fmin(fmax(-dot3(ray->d, s.facing), R(0)), R(1));
+    s.left = crossing.face & ~MEMBER_INVERSE;
+    s.beyond_inside = s.entering != ((crossing.face & MEMBER_INVERSE) != 0u);
+    return s;
+}
+
+/* From the ray's start to the next surface. interior is that of the start; it becomes that just before the surface,
+ * and beyond that just after. Returns 0 if the ray meets no surface any more. */
+static inline int next_surface(World* world, const Ray* ray, Interior* interior, Interior* beyond, Surface* surface)
+{
+    real x = R(0), err = ray->err;
+    const u32 most = 16u * world->frame->object_count + 64u;
+    Interface face;
+    for (u32 step = 0; step < most; step++) {
+        if (!nearest_interface(world, ray, x, err, interior, &face)) return 0;
+        interior_copy(beyond, interior);
+        for (u32 i = 0; i < face.count; i++) interior_toggle(world, beyond, face.ids[i]);
+        const u32 before = medium_of(interior), after = medium_of(beyond);
+        if (before != after) {
+            const u32 shown = before < after ? before : after;
+            u32 i = 0;
+            while (i + 1 < face.count && face.ids[i] != shown) i++;
+            if (face.crossings[i].face != MEMBER_NONE) {
+                *surface = make_surface(world, ray, shown, face.crossings[i], before, after);
+                return 1;
+            }
+        }
+        COUNT(world, STAT_SILENT);
+        interior_copy(interior, beyond);
+        x = face.t;
+        err = position_error(ray->o, x);
+    }
+    COUNT(world, STAT_STUCK);
+    return 0;
+}
+
+#endif

@@ -1,0 +1,46 @@
+/* The scene as a work-item sees it: its buffers, and its own counters. */
+#ifndef CLUCIDA_WORLD_H
+#define CLUCIDA_WORLD_H
+
+#include "kernels/layout.h"
+#include "kernels/vec.h"
+
+typedef struct {
+    __global const LayoutFrame* frame;
+    __global const LayoutObject* objects;
+    __global const LayoutGroup* groups;
+    __global const u32* members;
+    __global const u32* programs;
+    __global const LayoutPlane* planes;
+    __global const LayoutSphere* spheres;
+    __global const LayoutQuadric* quadrics;
+    __global const LayoutOptics* optics;
+    __global const LayoutTexture* textures;
+    __global const LayoutImage* images;
+    __global const u32* texels;
+    __global const LayoutLight* lights;
+    __global const u32* starts;
+    u32 stats[STAT_COUNT];
+} World;
+
+#define COUNT(world, stat) ((world)->stats[stat]++)
+
+/* A ray. It may have left a surface: then left names the primitive and left_inside tells on which side of it the ray
+ * goes (known from the event, never recomputed). err bounds the error of o's distance from any surface it lies on. */
+typedef struct {
+    vec o, d;
+    u32 left;
+    int left_inside;
+    real err;
+} Ray;
+
+/* Positions are good to a few roundings of their size. The constant is what flush faces need (tests of coincident
+ * faces), and small enough that shells with a relative gap of 1e-6 stay apart. */
+#define TOLERANCE (R(3) * UNIT_ROUNDOFF)
+
+static inline real position_error(vec o, real t)
+{
+    return TOLERANCE * (largest(o) + fabs(t));
+}
+
+#endif

@@ -1,0 +1,214 @@
+#include "scene/bounds.h"
+
+#include <algorithm>
+
+namespace clucida::scene {
+namespace {
+
+constexpr std::size_t most_planes = 64; ///< vertices of larger polyhedra are not enumerated
+
+struct Bound {
+    Box box;
+    BoundingSphere sphere;
+};
+
+bool is_finite(const Box& b)
+{
+    return length(b.low) < unbounded && length(b.high) < unbounded;
+}
+
+Box common(const Box& a, const Box& b)
+{
+    return {{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y), std::max(a.low.z, b.low.z)},
+            {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y), std::min(a.high.z, b.high.z)}};
+}
+
+Box hull(const Box& a, const Box& b)
+{
+    return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y), std::min(a.low.z, b.low.z)},
+            {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y), std::max(a.high.z, b.high.z)}};
+}
+
+Box around(Vec3 c, Vec3 half)
+{
+    return {c - half, c + half};
+}
+
+BoundingSphere sphere_of(const Box& box)
+{
+    if (!is_finite(box)) return {};
+    const Vec3 half = (box.high - box.low) * 0.5;
+    return {box.low + half, half.x < 0 || half.y < 0 || half.z < 0 ? 0 : length(half)};
+}
+
+const BoundingSphere& smaller(const BoundingSphere& a, const BoundingSphere& b)
+{
+    return a.radius <= b.radius ? a : b;
+}
+
+using Planes = std::vector<HalfSpace>;
+
+bool inside_all(const Planes& planes, Vec3 p, double slack)
+{
+    return std::ranges::all_of(planes, [&](const HalfSpace& s) { return dot(s.n, p) <= s.h + slack; });
+}
+
+/// Whether some direction never leaves the polyhedron: extreme ones run along two of its planes.
+bool recedes(const Planes& planes)
+{
+    const auto endless = [&](Vec3 d) {
+        return std::ranges::all_of(planes, [&](const HalfSpace& s) { return dot(s.n, d) <= 1e-12; });
+    };
+    bool spans = false;
+    for (std::size_t i = 0; i < planes.size(); i++) {
+        for (std::size_t j = 0; j < i; j++) {
+            const Vec3 d = cross(planes[i].n, planes[j].n);
+            const double size = length(d);
+            if (size < 1e-9) continue;
+            if (endless(d * (1 / size)) || endless(d * (-1 / size))) return true;
+            spans =
+                spans || std::ranges::any_of(planes, [&](const HalfSpace& s) { return std::fabs(dot(s.n, d)) > 1e-9; });
+        }
+    }
+    return !spans;
+}
+
+std::vector<Vec3> vertices(const Planes& planes)
+{
+    std::vector<Vec3> points;
+    for (std::size_t i = 0; i < planes.size(); i++) {
+        for (std::size_t j = 0; j < i; j++) {
+            const Vec3 direction = cross(planes[i].n, planes[j].n);
+            for (std::size_t k = 0; k < j; k++) {
+                const double volume = dot(direction, planes[k].n);
+                if (std::fabs(volume) < 1e-9) continue;
+                const Vec3 p = (cross(planes[j].n, planes[k].n) * planes[i].h +
+                                cross(planes[k].n, planes[i].n) * planes[j].h + direction * planes[k].h) *
+                               (1 / volume);
+                if (inside_all(planes, p, 1e-9 * (1 + length(p)))) points.push_back(p);
+            }
+        }
+    }
+    return points;
+}
+
+Bound polyhedron_bound(const Planes& planes)
+{
+    Bound bound;
+    if (planes.size() < 4 || planes.size() > most_planes || recedes(planes)) return bound;
+    const std::vector<Vec3> points = vertices(planes);
+    if (points.empty()) return {around({}, {-1, -1, -1}), {{}, 0}};
+    bound.box = {points[0], points[0]};
+    for (const Vec3& p : points) bound.box = hull(bound.box, {p, p});
+    bound.sphere.center = (bound.box.low + bound.box.high) * 0.5;
+    bound.sphere.radius = 0;
+    for (const Vec3& p : points) bound.sphere.radius = std::max(bound.sphere.radius, length(p - bound.sphere.center));
+    return bound;
+}
+
+/// How far up its axis a solid of revolution reaches below a plane: the greatest z with
+/// up z - across radius(z) <= height, or infinity.
+double reach(const Quadric::Revolution& r, double up, double across, double height)
+{
+    if (r.focus > 0) {
+        if (!(up > 1e-12)) return unbounded;
+        const double b = across * 2 * std::sqrt(r.focus);
+        const double s = (b + std::sqrt(std::max(0.0, b * b + 4 * up * height))) / (2 * up);
+        return s * s;
+    }
+    const double slope = up - across * r.slope;
+    if (!(slope > 1e-12)) return unbounded;
+    return std::max(0.0, height + across * r.r0) / slope;
+}
+
+/// The part of a solid of revolution that planes cut out, by its extent along its axis.
+Box revolution_bound(const Quadric& q, const Planes& planes)
+{
+    const Quadric::Revolution& r = *q.revolution;
+    double high = unbounded, low = r.focus > 0 ? 0 : -unbounded;
+    for (const HalfSpace& plane : planes) {
+        const double up = dot(plane.n, r.axis);
+        const double across = length(plane.n - r.axis * up);
+        const double height = plane.h - dot(plane.n, q.c);
+        if (up > 0)
+            high = std::min(high, reach(r, up, across, height));
+        else if (r.focus == 0)
+            low = std::max(low, -reach(r, -up, across, height));
+    }
+    if (!(high < unbounded) || !(low > -unbounded)) return {};
+    const double far = std::max(std::fabs(low), std::fabs(high));
+    const double radius = r.focus > 0 ? 2 * std::sqrt(r.focus * far) : r.r0 + r.slope * far;
+    const Vec3 middle = q.c + r.axis * ((low + high) / 2);
+    const auto half = [&](double a) {
+        return std::fabs(a) * std::max(0.0, high - low) / 2 + radius * std::sqrt(std::max(0.0, 1 - a * a));
+    };
+    return around(middle, {half(r.axis.x), half(r.axis.y), half(r.axis.z)});
+}
+
+Bound ellipsoid_bound(const Quadric& q)
+{
+    if (q.s != Vec3{1, 1, 1} || q.g != 0) return {};
+    const Mat3 m = inverse(q.m);
+    const Vec3 half{length(m.rows[0]), length(m.rows[1]), length(m.rows[2])};
+    return {around(q.c, half), {}};
+}
+
+void cut(Bound& bound, const Bound& by)
+{
+    bound.box = common(bound.box, by.box);
+    bound.sphere = smaller(bound.sphere, by.sphere);
+}
+
+/// Of an intersection of groups: what each member allows, quadrics cut by all the planes.
+Bound intersection_bound(const std::vector<const Group*>& groups)
+{
+    Planes planes;
+    for (const Group* group : groups)
+        for (const Member& member : group->members)
+            if (const auto* plane = std::get_if<HalfSpace>(&member)) planes.push_back(*plane);
+    Bound bound = polyhedron_bound(planes);
+    for (const Group* group : groups) {
+        for (const Member& member : group->members) {
+            if (const auto* ball = std::get_if<Ball>(&member)) {
+                cut(bound, {around(ball->c, {ball->r, ball->r, ball->r}), {ball->c, ball->r}});
+            } else if (const auto* q = std::get_if<Quadric>(&member)) {
+                cut(bound, ellipsoid_bound(*q));
+                if (q->revolution) cut(bound, {revolution_bound(*q, planes), {}});
+            }
+        }
+    }
+    return bound;
+}
+
+Bound bound_of(const Form& form)
+{
+    if (form.kind == Form::Kind::any) {
+        Bound bound = bound_of(form.parts[0]);
+        for (std::size_t i = 1; i < form.parts.size(); i++) bound.box = hull(bound.box, bound_of(form.parts[i]).box);
+        return {bound.box, {}};
+    }
+    std::vector<const Group*> groups;
+    Bound bound;
+    if (form.kind == Form::Kind::group) {
+        if (!form.group.inverse) groups.push_back(&form.group);
+    } else {
+        for (const Form& part : form.parts) {
+            if (part.kind != Form::Kind::group)
+                cut(bound, bound_of(part));
+            else if (!part.group.inverse)
+                groups.push_back(&part.group);
+        }
+    }
+    cut(bound, intersection_bound(groups));
+    return bound;
+}
+
+} // namespace
+
+BoundingSphere bounding_sphere(const Form& form)
+{
+    const Bound bound = bound_of(form);
+    return smaller(bound.sphere, sphere_of(bound.box));
+}
+
+} // namespace clucida::scene

@@ -1,0 +1,127 @@
+#include "scene/compile.h"
+
+#include "scene/compile_objects.h"
+#include "scene/compile_optics.h"
+#include "scene/error.h"
+#include "scene/store.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace clucida::scene {
+namespace {
+
+template <typename T>
+std::vector<std::byte> to_bytes(const std::vector<T>& items)
+{
+    std::vector<std::byte> bytes(items.size() * sizeof(T));
+    if (!items.empty()) std::memcpy(bytes.data(), items.data(), bytes.size());
+    return bytes;
+}
+
+void set_observer(LayoutFrame& frame, const Pinhole& eye)
+{
+    const double aspect = static_cast<double>(frame.width) / frame.height;
+    const double height = 2 * std::tan(eye.fov * (M_PI / 360));
+    const Vec3 forward = unit(eye.look - eye.eye);
+    const Vec3 right = unit(cross(forward, eye.up));
+    store(frame.forward, forward);
+    store(frame.column, right * (height * aspect));
+    store(frame.row, cross(forward, right) * height);
+}
+
+void set_observer(LayoutFrame& frame, const Window& window)
+{
+    const double aspect = static_cast<double>(frame.width) / frame.height;
+    store(frame.forward, window.view - window.eye);
+    store(frame.column, window.column * aspect);
+    store(frame.row, window.row);
+    frame.window = 1;
+}
+
+/// The region that the observer's rays start in: a ball about the eye.
+double start_radius(const Scene& scene, const View& view)
+{
+    const auto* window = std::get_if<Window>(&scene.observer);
+    if (window == nullptr) return 0;
+    const double aspect = static_cast<double>(view.width) / view.height;
+    return 0.5 * (length(window->column) * aspect + length(window->row));
+}
+
+LayoutFrame make_frame(const Scene& scene, const View& view)
+{
+    LayoutFrame frame{};
+    frame.width = view.width;
+    frame.height = view.height;
+    frame.samples = view.samples;
+    frame.corner = view.as_original == AsOriginal::gun;
+    frame.max_hops = view.max_hops.value_or(scene.settings.max_hops);
+    frame.cutoff = static_cast<float>(view.cutoff.value_or(scene.settings.cutoff));
+    frame.light_law = static_cast<u32>(scene.settings.light_law);
+    frame.media_rule = static_cast<u32>(scene.settings.media_rule);
+    std::visit([&](const auto& observer) { set_observer(frame, observer); }, scene.observer);
+    return frame;
+}
+
+unsigned capacity_class(std::size_t least, std::size_t most)
+{
+    unsigned capacity = 1;
+    while (capacity < least && capacity < most) capacity *= 2;
+    return capacity;
+}
+
+/// Room for the branches that wait: each lies a hop deeper than the one before. Deep stacks are rare (the cutoff
+/// prunes), so the class starts small and the host enlarges it on overflow.
+unsigned stack_class(std::uint32_t features, unsigned max_hops)
+{
+    if ((features & feature_transparent) == 0) return 0;
+    return capacity_class(std::max(max_hops, 2u) - 1, 32);
+}
+
+} // namespace
+
+Vec3 eye_of(const Scene& scene)
+{
+    return std::visit([](const auto& observer) { return observer.eye; }, scene.observer);
+}
+
+Compiled compile(const Scene& scene, const View& view)
+{
+    const Vec3 eye = eye_of(scene);
+    LayoutFrame frame = make_frame(scene, view);
+    Compiled compiled;
+
+    ObjectBuffers objects = compile_objects(scene, eye, start_radius(scene, view));
+    OpticsBuffers optics = compile_optics(scene, eye, frame);
+    frame.object_count = static_cast<u32>(objects.objects.size());
+    frame.start_count = static_cast<u32>(objects.starts.size());
+    frame.light_count = static_cast<u32>(optics.lights.size());
+
+    compiled.needs.features = objects.features | optics.features;
+    if (view.as_original == AsOriginal::gun) compiled.needs.features |= feature_as_gun;
+    if (view.as_original == AsOriginal::rayt) compiled.needs.features |= feature_as_rayt;
+    compiled.interior_bound = objects.most_overlapping;
+    compiled.needs.interior = capacity_class(objects.most_overlapping, 8);
+    compiled.needs.stack = stack_class(compiled.needs.features, frame.max_hops);
+    compiled.needs.groups = capacity_class(objects.most_groups, 1u << 16);
+    compiled.objects = std::move(objects.reports);
+
+    auto& bytes = compiled.buffers.bytes;
+    bytes[BUFFER_FRAME] = to_bytes(std::vector{frame});
+    bytes[BUFFER_OBJECTS] = to_bytes(objects.objects);
+    bytes[BUFFER_GROUPS] = to_bytes(objects.groups);
+    bytes[BUFFER_MEMBERS] = to_bytes(objects.members);
+    bytes[BUFFER_PROGRAMS] = to_bytes(objects.programs);
+    bytes[BUFFER_PLANES] = to_bytes(objects.planes);
+    bytes[BUFFER_SPHERES] = to_bytes(objects.spheres);
+    bytes[BUFFER_QUADRICS] = to_bytes(objects.quadrics);
+    bytes[BUFFER_STARTS] = to_bytes(objects.starts);
+    bytes[BUFFER_OPTICS] = to_bytes(optics.optics);
+    bytes[BUFFER_TEXTURES] = to_bytes(optics.textures);
+    bytes[BUFFER_IMAGES] = to_bytes(optics.images);
+    bytes[BUFFER_TEXELS] = to_bytes(optics.texels);
+    bytes[BUFFER_LIGHTS] = to_bytes(optics.lights);
+    return compiled;
+}
+
+} // namespace clucida::scene

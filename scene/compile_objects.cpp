@@ -1,0 +1,242 @@
+#include "scene/compile_objects.h"
+
+#include "scene/bounds.h"
+#include "scene/error.h"
+#include "scene/normal_form.h"
+#include "scene/store.h"
+
+#include <algorithm>
+#include <queue>
+
+namespace clucida::scene {
+namespace {
+
+/// Bounds are widened by this for the rounding of float.
+constexpr double bound_margin = 1e-5;
+
+/// Where an unbounded solid's own frame has its origin.
+Vec3 anchor(const Form& form, Vec3 eye)
+{
+    if (form.kind != Form::Kind::group) return anchor(form.parts[0], eye);
+    const Member& member = form.group.members[0];
+    if (const auto* plane = std::get_if<HalfSpace>(&member)) return eye - plane->n * (dot(plane->n, eye) - plane->h);
+    if (const auto* ball = std::get_if<Ball>(&member)) return ball->c;
+    return std::get<Quadric>(member).c;
+}
+
+/// Writes one object's form behind those that are there already.
+class ObjectWriter {
+public:
+    ObjectWriter(ObjectBuffers& buffers, Vec3 center) : out(buffers), center(center) {}
+
+    void write(const Form& form, LayoutObject& object, ObjectReport& report)
+    {
+        object.group_begin = static_cast<u32>(out.groups.size());
+        object.program_begin = static_cast<u32>(out.programs.size());
+        if (form.kind == Form::Kind::group) {
+            add_group(form.group);
+        } else if (is_flat_intersection(form)) {
+            for (const Form& part : form.parts) add_group(part.group);
+        } else {
+            add_program(form);
+        }
+        object.group_count = static_cast<u32>(out.groups.size()) - object.group_begin;
+        object.program_count = static_cast<u32>(out.programs.size()) - object.program_begin;
+        report.groups = object.group_count;
+        report.program = object.program_count;
+        report.planes = planes;
+        report.spheres = spheres;
+        report.quadrics = quadrics;
+    }
+
+private:
+    static bool is_flat_intersection(const Form& form)
+    {
+        return form.kind == Form::Kind::all &&
+               std::ranges::all_of(form.parts, [](const Form& p) { return p.kind == Form::Kind::group; });
+    }
+
+    u32 add_group(const Group& group)
+    {
+        const auto begin = static_cast<u32>(out.members.size());
+        // Cheap members first: planes, spheres, quadrics.
+        for (const std::size_t kind : {0u, 1u, 2u})
+            for (const Member& member : group.members)
+                if (member.index() == kind) out.members.push_back(reference(member));
+        const auto count = static_cast<u32>(out.members.size()) - begin;
+        out.groups.push_back({begin, count, group.inverse ? 1u : 0u});
+        return groups_of_this++;
+    }
+
+    /// Reverse Polish order, the deepest part first, so that the stack of bits stays as low as the logarithm.
+    void add_program(const Form& form)
+    {
+        if (form.kind == Form::Kind::group) {
+            const u32 group = add_group(form.group);
+            out.programs.push_back(OP_GROUP | group << OP_SHIFT);
+            return;
+        }
+        std::vector<const Form*> parts;
+        for (const Form& part : form.parts) parts.push_back(&part);
+        std::ranges::stable_sort(parts, [](const Form* a, const Form* b) { return depth(*a) > depth(*b); });
+        const u32 op = form.kind == Form::Kind::all ? OP_AND : OP_OR;
+        for (std::size_t i = 0; i < parts.size(); i++) {
+            add_program(*parts[i]);
+            if (i > 0) out.programs.push_back(op | 2u << OP_SHIFT);
+        }
+    }
+
+    /// How many bits the form's program stacks up.
+    static unsigned depth(const Form& form)
+    {
+        if (form.kind == Form::Kind::group) return 1;
+        std::vector<unsigned> depths;
+        for (const Form& part : form.parts) depths.push_back(depth(part));
+        std::ranges::sort(depths, std::greater{});
+        return std::max(depths[0], depths.size() > 1 ? depths[1] + 1 : 0);
+    }
+
+    /// A member that the object has already keeps its reference, so that a ray knows it when it leaves it.
+    u32 reference(const Member& member)
+    {
+        for (const auto& [known, known_reference] : known_members)
+            if (*known == member) return known_reference;
+        const u32 r = std::visit([&](const auto& m) { return store_member(m); }, member);
+        known_members.emplace_back(&member, r);
+        return r;
+    }
+
+    u32 store_member(const HalfSpace& plane)
+    {
+        LayoutPlane p{};
+        store(p.n, plane.n);
+        p.h = static_cast<float>(plane.h - dot(plane.n, center));
+        out.planes.push_back(p);
+        planes++;
+        out.features |= feature_plane;
+        return MEMBER_PLANE | static_cast<u32>(out.planes.size() - 1) << MEMBER_SHIFT;
+    }
+
+    u32 store_member(const Ball& ball)
+    {
+        LayoutSphere s{};
+        store(s.c, ball.c - center);
+        s.r = static_cast<float>(ball.r);
+        out.spheres.push_back(s);
+        spheres++;
+        out.features |= feature_sphere;
+        return MEMBER_SPHERE | static_cast<u32>(out.spheres.size() - 1) << MEMBER_SHIFT;
+    }
+
+    u32 store_member(const Quadric& quadric)
+    {
+        LayoutQuadric q{};
+        const Mat3 m{{rounded(quadric.m.rows[0]), rounded(quadric.m.rows[1]), rounded(quadric.m.rows[2])}};
+        const Mat3 cof = cofactor(m); // of what is stored, so that moments and directions agree
+        store(q.c, quadric.c - center);
+        for (int i = 0; i < 3; i++) {
+            store(q.m + 3 * i, m.rows[i]);
+            store(q.cof + 3 * i, cof.rows[i]);
+        }
+        store(q.s, quadric.s);
+        q.g = static_cast<float>(quadric.g);
+        q.w = static_cast<float>(quadric.w);
+        out.quadrics.push_back(q);
+        quadrics++;
+        out.features |= feature_quadric;
+        return MEMBER_QUADRIC | static_cast<u32>(out.quadrics.size() - 1) << MEMBER_SHIFT;
+    }
+
+    ObjectBuffers& out;
+    Vec3 center;
+    u32 groups_of_this = 0;
+    std::size_t planes = 0, spheres = 0, quadrics = 0;
+    std::vector<std::pair<const Member*, u32>> known_members;
+};
+
+std::size_t bytes_of(const LayoutObject& object, const ObjectReport& report, const ObjectBuffers& out)
+{
+    std::size_t members = 0;
+    for (u32 i = 0; i < object.group_count; i++) members += out.groups[object.group_begin + i].count;
+    return sizeof(LayoutObject) + report.groups * sizeof(LayoutGroup) + (members + report.program) * sizeof(u32) +
+           report.planes * sizeof(LayoutPlane) + report.spheres * sizeof(LayoutSphere) +
+           report.quadrics * sizeof(LayoutQuadric);
+}
+
+/// No point lies in more of the intervals than are open at once anywhere.
+std::size_t most_open(std::vector<std::pair<double, double>> intervals)
+{
+    std::ranges::sort(intervals);
+    std::priority_queue<double, std::vector<double>, std::greater<>> ends;
+    std::size_t most = 0;
+    for (const auto& [low, high] : intervals) {
+        while (!ends.empty() && ends.top() < low) ends.pop();
+        ends.push(high);
+        most = std::max(most, ends.size());
+    }
+    return most;
+}
+
+std::size_t most_overlapping(const std::vector<LayoutObject>& objects)
+{
+    std::size_t most = objects.size();
+    for (int axis = 0; axis < 3; axis++) {
+        std::vector<std::pair<double, double>> intervals;
+        intervals.reserve(objects.size());
+        for (const LayoutObject& o : objects)
+            intervals.emplace_back(static_cast<double>(o.center[axis]) - o.radius,
+                                   static_cast<double>(o.center[axis]) + o.radius);
+        most = std::min(most, most_open(std::move(intervals)));
+    }
+    return std::max<std::size_t>(most, 1);
+}
+
+void check_sizes(const Object& object, const ObjectBuffers& out)
+{
+    const auto& last = out.objects.back();
+    if (last.group_count > most_groups_of_object)
+        throw Error(object.at, "this solid joins " + std::to_string(last.group_count) + " parts; expected at most " +
+                                   std::to_string(most_groups_of_object) + ": make it several objects");
+}
+
+} // namespace
+
+ObjectBuffers compile_objects(const Scene& scene, Vec3 eye, double start_radius)
+{
+    ObjectBuffers out;
+    out.objects.reserve(scene.objects.size());
+    for (const Object& object : scene.objects) {
+        if (expanded_members(*object.solid, most_members_of_object + 1) > most_members_of_object)
+            throw Error(object.at,
+                        "this solid has too many members; expected at most " + std::to_string(most_members_of_object));
+        const Form form = normal_form(*object.solid);
+        const BoundingSphere bound = bounding_sphere(form);
+        const bool bounded = bound.radius < unbounded;
+        // The centre is what float keeps of it: all else in the object is relative to that.
+        const Vec3 center = rounded((bounded ? bound.center : anchor(form, eye)) - eye) + eye;
+
+        LayoutObject layout{};
+        ObjectReport report;
+        report.name = object.name;
+        store(layout.center, center - eye);
+        report.radius = bounded ? (bound.radius + length(bound.center - center)) * (1 + bound_margin) : unbounded;
+        layout.radius = static_cast<float>(report.radius);
+        layout.optics = static_cast<u32>(object.optics);
+        layout.texture = object.texture ? static_cast<u32>(*object.texture) : TEXTURE_NONE;
+        ObjectWriter(out, center).write(form, layout, report);
+        report.bytes = bytes_of(layout, report, out);
+        if (layout.program_count > 0) out.features |= feature_program;
+        if (layout.program_count > 0 || layout.group_count > 1) out.features |= feature_groups;
+        out.most_groups = std::max<std::size_t>(out.most_groups, layout.group_count);
+        const double margin = start_radius + 1e-5 * (start_radius + length(eye - center));
+        if (length(eye - center) <= report.radius + margin && holds(form, eye, margin).value_or(true))
+            out.starts.push_back(static_cast<u32>(out.objects.size()));
+        out.objects.push_back(layout);
+        out.reports.push_back(std::move(report));
+        check_sizes(object, out);
+    }
+    out.most_overlapping = most_overlapping(out.objects);
+    return out;
+}
+
+} // namespace clucida::scene
