@@ -1,0 +1,117 @@
+#include "host/commands.h"
+#include "scene/write.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <iostream>
+#include <memory>
+
+namespace clucida::host {
+namespace {
+
+struct InspectOptions {
+    SceneOptions scene;
+    bool json = false, print = false;
+};
+
+constexpr const char* buffer_names[BUFFER_COUNT] = {"frame",  "objects", "groups",   "members", "programs",
+                                                    "planes", "spheres", "quadrics", "optics",  "textures",
+                                                    "images", "texels",  "lights",   "starts"};
+
+std::vector<std::string> feature_list(const scene::Needs& needs)
+{
+    std::vector<std::string> out;
+    for (const scene::FeatureName& f : scene::feature_names())
+        if (needs.features & f.feature) out.emplace_back(f.name);
+    return out;
+}
+
+std::size_t total_bytes(const scene::Compiled& compiled)
+{
+    std::size_t out = 0;
+    for (const auto& bytes : compiled.buffers.bytes) out += bytes.size();
+    return out;
+}
+
+double per_object(const scene::Compiled& compiled)
+{
+    const auto count = static_cast<double>(std::max<std::size_t>(compiled.objects.size(), 1));
+    return static_cast<double>(total_bytes(compiled)) / count;
+}
+
+nlohmann::ordered_json object_json(const scene::ObjectReport& o)
+{
+    nlohmann::ordered_json j = {{"name", o.name},       {"groups", o.groups},     {"planes", o.planes},
+                                {"spheres", o.spheres}, {"quadrics", o.quadrics}, {"program", o.program},
+                                {"radius", nullptr},    {"bytes", o.bytes}};
+    if (std::isfinite(o.radius)) j["radius"] = o.radius;
+    return j;
+}
+
+nlohmann::ordered_json to_json(const SceneSource& source, const scene::Compiled& compiled)
+{
+    nlohmann::ordered_json objects = nlohmann::ordered_json::array(), buffers;
+    for (const scene::ObjectReport& o : compiled.objects) objects.push_back(object_json(o));
+    for (std::size_t i = 0; i < BUFFER_COUNT; ++i) buffers[buffer_names[i]] = compiled.buffers.bytes[i].size();
+    const scene::Needs& needs = compiled.needs;
+    return {{"scene", source.name},
+            {"sha256", source.hash},
+            {"features", feature_list(needs)},
+            {"capacities", {{"interior", needs.interior}, {"stack", needs.stack}, {"groups", needs.groups}}},
+            {"interior_bound", compiled.interior_bound},
+            {"options", scene::build_options(needs)},
+            {"buffers", std::move(buffers)},
+            {"total_bytes", total_bytes(compiled)},
+            {"bytes_per_object", per_object(compiled)},
+            {"objects", std::move(objects)}};
+}
+
+void print(const SceneSource& source, const scene::Compiled& compiled)
+{
+    const scene::Needs& needs = compiled.needs;
+    fmt::print("{}: {} objects, {} lights\n\n", source.name, compiled.objects.size(), source.scene.lights.size());
+    fmt::print("{:<24} {:>7} {:>7} {:>8} {:>9} {:>12} {:>8}\n", "object", "groups", "planes", "spheres", "quadrics",
+               "radius", "bytes");
+    for (const scene::ObjectReport& o : compiled.objects)
+        fmt::print("{:<24} {:>7} {:>7} {:>8} {:>9} {:>12.6g} {:>8}\n", o.name.empty() ? "-" : o.name, o.groups,
+                   o.planes, o.spheres, o.quadrics, o.radius, o.bytes);
+    fmt::print("\nfeatures   {}\n", fmt::join(feature_list(needs), " "));
+    fmt::print("capacities interior {} (of at most {}), stack {}, groups {}\n", needs.interior, compiled.interior_bound,
+               needs.stack, needs.groups);
+    fmt::print("options    {}\n\n", scene::build_options(needs));
+    for (std::size_t i = 0; i < BUFFER_COUNT; ++i)
+        if (!compiled.buffers.bytes[i].empty())
+            fmt::print("{:<10} {:>12} bytes\n", buffer_names[i], compiled.buffers.bytes[i].size());
+    fmt::print("{:<10} {:>12} bytes, {:.1f} an object\n", "total", total_bytes(compiled), per_object(compiled));
+}
+
+void run(const InspectOptions& options)
+{
+    const SceneSource source = load_scene(options.scene);
+    if (options.print) {
+        std::cout << scene::print_scene(source.scene);
+        return;
+    }
+    const scene::Compiled compiled = compile_scene(source, {});
+    if (options.json)
+        std::cout << to_json(source, compiled).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+    else
+        print(source, compiled);
+}
+
+} // namespace
+
+void add_inspect(CLI::App& app)
+{
+    auto options = std::make_shared<InspectOptions>();
+    CLI::App* command = app.add_subcommand("inspect", "Tell what a scene needs: objects, features, bytes");
+    add_scene_options(*command, options->scene);
+    command->add_flag("--json", options->json, "as JSON");
+    command->add_flag("--print", options->print, "write the scene as canonical text and nothing else");
+    command->footer("Examples:\n  clucida inspect scene.clu\n  clucida inspect old.rayt --print > new.clu");
+    command->callback([options] { run(*options); });
+}
+
+} // namespace clucida::host

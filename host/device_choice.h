@@ -1,0 +1,42 @@
+/// What OpenCL offers, as plain values, and the choice of a device by the user's words.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace clucida::host {
+
+enum class DeviceKind { cpu, gpu, other };
+
+struct DeviceInfo {
+    unsigned platform = 0, device = 0; ///< the P:D of selectors, counted as OpenCL lists them
+    std::string platform_name, platform_vendor, platform_version;
+    std::string name, vendor, version, driver;
+    DeviceKind kind = DeviceKind::other;
+    unsigned compute_units = 0;
+    std::uint64_t global_bytes = 0, max_allocation_bytes = 0;
+    std::size_t max_group = 1; ///< work-items of a work-group
+    bool usable = true;        ///< available, with a compiler
+    bool has_double = false;
+    bool rounds_division = false; ///< division and square root can be asked to be correctly rounded
+};
+
+/// "0:0 pthread-haswell-AMD EPYC (Portable Computing Language)"
+std::string describe(const DeviceInfo& device);
+
+/// The devices that a selector means: "P:D", "cpu", "gpu", "all", or a part of the name of the platform, the device or
+/// their vendors, whatever the case. Empty: the default, which is the first GPU, else the first CPU, else any.
+/// "cpu" and "gpu" mean the first of their kind. Indices into devices; one unless the selector is "all".
+/// @throws Failure if nothing matches or several do; the message lists the devices
+std::vector<std::size_t> choose_devices(std::span<const DeviceInfo> devices, std::string_view selector);
+
+/// The same where only one will do. @throws UsageError for "all" where it means several
+std::size_t choose_device(std::span<const DeviceInfo> devices, std::string_view selector);
+
+/// @throws Failure if the device cannot do what `precision` double needs
+void require_double(const DeviceInfo& device);
+
+} // namespace clucida::host

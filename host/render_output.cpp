@@ -1,0 +1,84 @@
+#include "host/render_output.h"
+
+#include "host/atomic_file.h"
+#include "host/errors.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+namespace clucida::host {
+namespace {
+
+double rays_per_second(const Frame& frame)
+{
+    const auto rays = static_cast<double>(frame.statistics.rays + frame.statistics.shadow);
+    return frame.timings.trace > 0 ? rays / frame.timings.trace : 0;
+}
+
+FileFormat named_format(const std::string& ending, const std::string& what)
+{
+    const auto format = file_format(ending);
+    if (!format) throw UsageError(fmt::format("{}; expected one of {}", what, file_endings()));
+    return *format;
+}
+
+} // namespace
+
+Output choose_output(const std::string& file, const std::string& format_out, const std::string& stem)
+{
+    Output out;
+    out.file = file.empty() ? stem + "." + (format_out.empty() ? "png" : format_out) : file;
+    if (!format_out.empty())
+        out.format = named_format(format_out, fmt::format("there is no picture format '{}'", format_out));
+    else if (out.file != "-")
+        out.format = named_format(out.file.find('.') == std::string::npos ? "." : out.file,
+                                  fmt::format("the ending of '{}' names no picture format", out.file));
+    if (out.file != "-")
+        require_writable(out.file);
+    else if (::isatty(STDOUT_FILENO))
+        throw UsageError("a picture is not written to a terminal; redirect standard output");
+    return out;
+}
+
+void write_output(const Output& output, const std::string& bytes)
+{
+    if (output.file == "-")
+        write_all(STDOUT_FILENO, bytes, "standard output");
+    else
+        write_file(output.file, bytes);
+}
+
+std::string timing_line(const std::string& name, const Frame& frame, unsigned samples, double total_seconds)
+{
+    const Timings& t = frame.timings;
+    return fmt::format("{}: {}x{}, {} sample{}, {:.2f} s (build {:.2f}, first launch {:.2f}, upload {:.3f}, trace "
+                       "{:.3f}), {:.1f} Mrays/s",
+                       name, frame.picture.width, frame.picture.height, samples, samples == 1 ? "" : "s", total_seconds,
+                       t.build, t.first_enqueue, t.upload, t.trace, rays_per_second(frame) / 1e6);
+}
+
+nlohmann::ordered_json frame_json(const Frame& frame, double total_seconds)
+{
+    nlohmann::ordered_json statistics;
+    for (const StatisticsField& f : statistics_fields()) statistics[f.name] = frame.statistics.*f.value;
+    const Timings& t = frame.timings;
+    const scene::Needs& needs = frame.needs;
+    return {{"device", frame.device},
+            {"width", frame.picture.width},
+            {"height", frame.picture.height},
+            {"tile", fmt::format("{}x{}", frame.tile.width, frame.tile.height)},
+            {"launches", frame.launches},
+            {"retries", frame.retries},
+            {"capacities", {{"interior", needs.interior}, {"stack", needs.stack}, {"groups", needs.groups}}},
+            {"seconds",
+             {{"total", total_seconds},
+              {"build", t.build},
+              {"first_launch", t.first_enqueue},
+              {"upload", t.upload},
+              {"trace", t.trace}}},
+            {"rays_per_second", rays_per_second(frame)},
+            {"statistics", std::move(statistics)}};
+}
+
+} // namespace clucida::host

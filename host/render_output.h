@@ -1,0 +1,32 @@
+/// Where `render` puts its picture, and what it tells of it.
+#pragma once
+
+#include "host/picture_file.h"
+#include "host/renderer.h"
+#include "host/scene_source.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+
+namespace clucida::host {
+
+struct Output {
+    std::string file; ///< "-": standard output
+    FileFormat format = FileFormat::png;
+};
+
+/// file is --output (empty: the scene's stem and .png, in the working folder), format_out is --format-out or empty.
+/// @throws UsageError for an ending that means nothing, Failure for a place that cannot be written
+Output choose_output(const std::string& file, const std::string& format_out, const std::string& stem);
+
+/// @throws Failure
+void write_output(const Output& output, const std::string& bytes);
+
+/// What took how long: a line.
+std::string timing_line(const std::string& name, const Frame& frame, unsigned samples, double total_seconds);
+
+/// The frame's statistics, timings and capacities.
+nlohmann::ordered_json frame_json(const Frame& frame, double total_seconds);
+
+} // namespace clucida::host

@@ -1,0 +1,72 @@
+/// A compiled scene becomes a picture on a device.
+#pragma once
+
+#include "host/devices.h"
+#include "host/picture.h"
+#include "host/program.h"
+#include "host/statistics.h"
+#include "host/tiling.h"
+#include "scene/compile.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace clucida::host {
+
+struct RenderSettings {
+    Shape picture;        ///< as the scene was compiled for
+    unsigned samples = 1; ///< of a pixel, likewise
+    Precision precision = Precision::single;
+    KernelCache cache = KernelCache::automatic;
+    std::optional<Shape> tile;    ///< else chosen by measuring; rounded up to whole work-groups
+    double launch_seconds = 0.25; ///< what a launch may take, when the tile is chosen
+    unsigned in_flight = 3;       ///< launches given to the device before the first is waited for
+    std::string kernel = "kernels/render.cl";
+};
+
+struct Timings {
+    double build = 0;         ///< compilation, or reading the cache, s
+    double first_enqueue = 0; ///< an empty launch: code generation where the implementation puts it off until then, s
+    double upload = 0;        ///< the scene to the device, s
+    double trace = 0;         ///< all launches and their results' way back, s
+};
+
+struct Frame {
+    Picture picture;
+    Statistics statistics;
+    Timings timings;
+    std::string device;
+    Shape tile;
+    std::size_t launches = 0;
+    unsigned retries = 0; ///< renderings that a capacity proved too small for
+    scene::Needs needs;   ///< as they sufficed
+    std::string note;     ///< something worth telling that is no error
+};
+
+/// Both may be empty.
+struct RenderHooks {
+    std::function<void(double fraction)> progress; ///< after each launch, 0..1
+    std::function<bool()> cancelled;               ///< asked between launches
+};
+
+/// What stays the same from frame to frame: the device, its queue, the program of the last needs.
+struct Renderer {
+    Device device;
+    cl::Context context;
+    cl::CommandQueue queue;
+    Program program;
+    scene::Needs needs; ///< of the program; meaningless while it is empty
+    Precision precision = Precision::single;
+};
+
+/// @throws Failure
+Renderer make_renderer(const Device& device);
+
+/// Renders one frame; the picture is the same to the byte whatever the tiles. A capacity that proves too small is
+/// doubled, up to 512, and the frame rendered again.
+/// @throws Failure if the device fails or cannot hold the scene, Interrupted if hooks.cancelled says so
+Frame render_frame(Renderer& renderer, const scene::Compiled& compiled, const RenderSettings& settings,
+                   const RenderHooks& hooks = {});
+
+} // namespace clucida::host

@@ -1,0 +1,66 @@
+#include "host/scene_source.h"
+
+#include "host/errors.h"
+#include "host/sha256.h"
+#include "scene/error.h"
+
+#include <filesystem>
+#include <optional>
+
+namespace clucida::host {
+namespace {
+
+std::optional<scene::Format> format_of_name(const std::string& name)
+{
+    if (name.empty()) return std::nullopt;
+    if (name == "clucida") return scene::Format::clucida;
+    if (name == "gun") return scene::Format::gun;
+    if (name == "rayt") return scene::Format::rayt;
+    throw UsageError("there is no scene format '" + name + "'; expected clucida, gun or rayt");
+}
+
+scene::AsOriginal original_of(scene::Format format)
+{
+    switch (format) {
+    case scene::Format::gun: return scene::AsOriginal::gun;
+    case scene::Format::rayt: return scene::AsOriginal::rayt;
+    case scene::Format::clucida: break;
+    }
+    throw UsageError("--as-original is for scenes of the original programs (gun, rayt); this one is clucida's own");
+}
+
+} // namespace
+
+SceneSource load_scene(const SceneOptions& options)
+{
+    scene::ReadOptions read;
+    read.format = format_of_name(options.format);
+    if (!options.allow_path.empty()) read.allow_path = options.allow_path;
+
+    SceneSource out;
+    const std::filesystem::path path(options.file);
+    out.name = path.filename().string();
+    out.stem = options.file == "-" ? "picture" : path.stem().string();
+    out.text = scene::load_scene_text(options.file, read);
+    if (options.as_original) out.as_original = original_of(out.text.format);
+    out.scene = scene::read_scene(out.text.text, out.text.file, out.text.format, out.text.folder, read);
+    out.hash = sha256(out.text.text);
+    return out;
+}
+
+scene::Compiled compile_scene(const SceneSource& source, scene::View view)
+{
+    view.as_original = source.as_original;
+    if (view.as_original != scene::AsOriginal::none) {
+        const bool gun = view.as_original == scene::AsOriginal::gun;
+        if (!view.max_hops) view.max_hops = gun ? 6 : 19;
+        if (!view.cutoff) view.cutoff = gun ? 0.1 : 1.0 / 256;
+    }
+    try {
+        return scene::compile(source.scene, view);
+    } catch (const scene::Error& e) {
+        throw scene::located(e, source.text.file, source.text.text);
+    }
+}
+
+} // namespace clucida::host

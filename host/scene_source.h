@@ -1,0 +1,35 @@
+/// A scene as the command line names it: read, and compiled for a view.
+#pragma once
+
+#include "scene/compile.h"
+#include "scene/read.h"
+
+#include <string>
+
+namespace clucida::host {
+
+/// The options that `render` and `inspect` share.
+struct SceneOptions {
+    std::string file;       ///< "-": standard input
+    std::string format;     ///< "clucida", "gun", "rayt", or empty: by the ending
+    std::string allow_path; ///< photographs may lie beneath this folder too; or empty
+    bool as_original = false;
+};
+
+struct SceneSource {
+    std::string name; ///< the file's own name, without folders; "-" for standard input
+    std::string stem; ///< of a picture's name
+    std::string hash; ///< SHA-256 of the text
+    scene::SceneText text;
+    scene::Scene scene;
+    scene::AsOriginal as_original = scene::AsOriginal::none;
+};
+
+/// @throws scene::Error with the place, UsageError for --as-original with clucida's own format
+SceneSource load_scene(const SceneOptions& options);
+
+/// view.as_original is set, and with it the original's hops and cutoff where the view has none.
+/// @throws scene::Error with the place
+scene::Compiled compile_scene(const SceneSource& source, scene::View view);
+
+} // namespace clucida::host
