@@ -30,9 +30,9 @@ std::string build_log(const cl::Program& program, const cl::Device& device)
                          const cl::Error& error)
 {
     const std::string log = build_log(program, device.handle);
-    throw Failure(fmt::format("the kernels could not be compiled for {}: {}\n{}\noptions: {}\nlog:\n{}",
-                              describe(device.info), cl_error_name(error.err()), summarise_log(log), options,
-                              shortened(log)));
+    const std::string summary = summarise_log(log);
+    throw Failure(fmt::format("the kernels could not be compiled for {}: {}\noptions: {}\n{}", describe(device.info),
+                              cl_error_name(error.err()), options, summary.empty() ? shortened(log) : summary));
 }
 
 bool build_cached(Program& program, const cl::Context& context, const Device& device, const std::string& binary)
@@ -108,7 +108,7 @@ Program build_program(const cl::Context& context, const Device& device, const st
 
 std::string summarise_log(const std::string& log)
 {
-    constexpr int most = 5;
+    constexpr int most = 20;
     std::istringstream lines(log);
     std::string out, line;
     int count = 0;

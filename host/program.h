@@ -27,7 +27,7 @@ std::string base_options(const DeviceInfo& device);
 std::string variant_options(const scene::Needs& needs, Precision precision, const DeviceInfo& device);
 
 /// Compiles the source, or takes it from the cache.
-/// @throws Failure with a summary of the compiler's errors and its log
+/// @throws Failure with the compiler's errors, or its log where none can be told
 Program build_program(const cl::Context& context, const Device& device, const std::string& source,
                       const std::string& options, KernelCache cache);
 
