@@ -39,6 +39,7 @@ std::string message_of(const mu::ParserError& error)
         if (const std::size_t at = message.find(tail); at != std::string::npos) message.resize(at);
     }
     while (message.ends_with('.') || message.ends_with(' ')) message.pop_back();
+    if (!message.empty() && message[0] >= 'A' && message[0] <= 'Z') message[0] += 'a' - 'A';
     return message;
 }
 
@@ -92,6 +93,9 @@ double Expressions::number(Cursor& cursor, std::string_view expected)
     if (!std::isnan(value)) {
         check_number(cursor.source(), extent.at, value);
         return value;
+    }
+    if (number_length(extent.text) == extent.text.size()) {
+        cursor.fail(extent.at, fmt::format("'{}' is malformed or out of range; expected a number", extent.text));
     }
     return evaluate(cursor, extent);
 }
