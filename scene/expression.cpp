@@ -60,6 +60,8 @@ Expressions::Expressions() : parser_(std::make_unique<Parser>())
     parser_->mu.DefineConst("pi", std::numbers::pi);
     parser_->mu.DefineConst("e", std::numbers::e);
     parser_->mu.DefineConst("tau", 2 * std::numbers::pi);
+    parser_->mu.DefineFun("floor", static_cast<mu::fun_type1>([](double x) { return std::floor(x); }));
+    parser_->mu.DefineFun("ceil", static_cast<mu::fun_type1>([](double x) { return std::ceil(x); }));
 }
 
 Expressions::~Expressions() = default;

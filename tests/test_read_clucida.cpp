@@ -96,6 +96,12 @@ TEST(ReadClucida, ArithmeticStandsWhereverANumberDoes)
     EXPECT_DOUBLE_EQ(number("tau / 2"), std::acos(-1.0));
     EXPECT_DOUBLE_EQ(number("ln(e)"), 1);
     EXPECT_EQ(number("max(1, 2, 3)"), 3);
+    EXPECT_EQ(number("floor(1.7) + ceil(0.2)"), 2);
+    for (const char* name : {"sin",   "cos",   "tan",   "asin",  "acos", "atan", "sinh", "cosh", "tanh",
+                             "asinh", "acosh", "atanh", "sqrt",  "exp",  "ln",   "log",  "log2", "log10",
+                             "abs",   "sign",  "rint",  "floor", "ceil", "min",  "max",  "sum",  "avg"}) {
+        EXPECT_EQ(number(std::string("1 + 0 * ") + name + (std::string(name) == "atanh" ? "(0)" : "(1)")), 1) << name;
+    }
     EXPECT_EQ(number("2 # two\n + 3"), 5);
 }
 
