@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -95,10 +96,10 @@ void add_compare(CLI::App& app)
     command->add_flag("--eight-bit", options->eight_bit, "also in steps of 8-bit pictures");
     command->add_flag("--linear", options->linear, "integer samples are linear, not sRGB");
     command->add_option("--threshold", options->threshold, "count pixels that differ by more than this (1/255)")
-        ->check(CLI::NonNegativeNumber)
+        ->check(number_within(0, std::numeric_limits<double>::max()))
         ->option_text("X");
     command->add_option("--fail-above", options->fail_above, "exit with 1 if the RMSE is greater")
-        ->check(CLI::NonNegativeNumber)
+        ->check(number_within(0, std::numeric_limits<double>::max()))
         ->option_text("RMSE");
     command->footer("Example:\n  clucida compare a.png b.png --fail-above 0.001");
     command->callback([options] { run(*options); });

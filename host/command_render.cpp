@@ -122,14 +122,14 @@ void add_picture_options(CLI::App& command, RenderOptions& o)
 void add_tracing_options(CLI::App& command, RenderOptions& o)
 {
     command.add_option("--samples", o.samples, "of each pixel")
-        ->check(CLI::Range(1U, 1U << 20))
+        ->check(number_within(1, 1U << 20))
         ->option_text("N")
         ->capture_default_str();
     command.add_option("--max-hops", o.max_hops, "surfaces that a ray may meet; else the scene's")
-        ->check(CLI::Range(1U, 1000000U))
+        ->check(number_within(1, 1000000))
         ->option_text("N");
     command.add_option("--cutoff", o.cutoff, "rays of less weight end; 0 to 1, else the scene's")
-        ->check(CLI::Range(0.0, 1.0))
+        ->check(number_within(0, 1))
         ->option_text("X");
     command.add_option("--precision", o.precision, "float or double")
         ->check(CLI::IsMember({"float", "double"}))

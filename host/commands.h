@@ -16,4 +16,7 @@ void add_compare(CLI::App& app);
 /// SCENE, --format, --allow-path and --as-original.
 void add_scene_options(CLI::App& command, SceneOptions& options);
 
+/// A number in that range, which NaN is not.
+CLI::Validator number_within(double least, double most);
+
 } // namespace clucida::host

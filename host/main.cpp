@@ -8,23 +8,6 @@
 
 #include <new>
 
-namespace clucida::host {
-
-void add_scene_options(CLI::App& command, SceneOptions& options)
-{
-    command.add_option("scene", options.file, "the scene's file, or - for standard input")
-        ->required()
-        ->option_text("SCENE");
-    command.add_option("--format", options.format, "of the scene: clucida, gun or rayt; else by the file's ending")
-        ->option_text("NAME");
-    command.add_option("--allow-path", options.allow_path, "photographs may also lie beneath this folder")
-        ->option_text("FOLDER");
-    command.add_flag("--as-original", options.as_original,
-                     "imitate the original program of the scene's format, defects included");
-}
-
-} // namespace clucida::host
-
 namespace {
 
 using namespace clucida;
@@ -42,7 +25,8 @@ int guarded(CLI::App& app, int argc, char** argv)
         app.parse(argc, argv);
         return host::exit_done;
     } catch (const CLI::ParseError& e) {
-        return app.exit(e) == 0 ? host::exit_done : host::exit_usage;
+        if (e.get_exit_code() == 0) return app.exit(e); // help, version
+        return fail(host::exit_usage, fmt::format("{}; see clucida --help and clucida COMMAND --help", e.what()));
     } catch (const scene::Error& e) { // says itself where and that it is an error
         fmt::print(stderr, "{}\n", e.what());
         return host::exit_usage;

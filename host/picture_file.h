@@ -27,7 +27,7 @@ struct EncodeOptions {
     Transfer transfer = Transfer::srgb; ///< of png, jpeg and ppm; hdr and pfm are always linear
     unsigned depth = 8;                 ///< bits of a channel, 8 or 16; 16 for png and ppm
     unsigned quality = 90;              ///< of jpeg, 1..100
-    Metadata metadata;
+    Metadata metadata = {};
 };
 
 /// @throws UsageError if the format cannot hold such a picture

@@ -1,0 +1,307 @@
+"""The program as its users meet it: exit codes, messages, files. test_cli.py PATH-OF-CLUCIDA [TEST ...]"""
+
+import json
+import os
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import zlib
+
+PROGRAM = os.path.abspath(sys.argv.pop(1))
+
+SCENE = """clucida 1
+observer { eye [0, -6, 2]; look [0, 0, 0.8]; fov 45 }
+sky gradient { low 0.2; middle 0.8; high [0.2, 0.4, 1] }
+light { point [5, -5, 8] }
+optics glass { reflection 0.1; refraction 0.9; index 1.5 }
+optics floor { reflection 0.2; absorption [0.6, 0.5, 0.4] }
+object ball { solid sphere([0, 0, 1], 1); optics glass }
+object ground { solid plane([0, 0, 0], [0, 0, 1]); optics floor }
+"""
+
+
+def png_size_and_text(data):
+    """Checks a PNG's chunks and returns (width, height, {keyword: text})."""
+    assert data[:8] == b"\x89PNG\r\n\x1a\n", data[:16]
+    at, text, pixels, last = 8, {}, b"", None
+    while at < len(data):
+        (length,) = struct.unpack(">I", data[at : at + 4])
+        body = data[at + 4 : at + 8 + length]
+        (crc,) = struct.unpack(">I", data[at + 8 + length : at + 12 + length])
+        assert crc == zlib.crc32(body)
+        last = body[:4]
+        if last == b"IHDR":
+            width, height, depth = struct.unpack(">IIB", body[4:13])
+        if last == b"tEXt":
+            keyword, _, value = body[4:].partition(b"\0")
+            text[keyword.decode()] = value.decode()
+        if last == b"IDAT":
+            pixels += body[4:]
+        at += 12 + length
+    assert last == b"IEND"
+    assert len(zlib.decompress(pixels)) == height * (1 + 3 * width * depth // 8)
+    return width, height, text
+
+
+class Cli(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.folder = self.temporary.name
+        with open(self.path("scene.clu"), "w") as file:
+            file.write(SCENE)
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def start(self, *arguments, **settings):
+        environment = {**os.environ, **settings.pop("env", {})}
+        return subprocess.Popen(
+            [PROGRAM, *arguments],
+            cwd=self.folder,
+            env=environment,
+            stdin=settings.pop("stdin", subprocess.DEVNULL),
+            stdout=settings.pop("stdout", subprocess.PIPE),
+            stderr=subprocess.PIPE,
+        )
+
+    def run_program(self, *arguments, code=0, input=None, **settings):
+        """(standard output, standard error) of a run that must end with that exit code."""
+        if input is not None:
+            settings["stdin"] = subprocess.PIPE
+        process = self.start(*arguments, **settings)
+        out, err = process.communicate(input)
+        err = err.decode()
+        self.assertEqual(process.returncode, code, err)
+        self.assertNotIn("terminate called", err)
+        if code not in (0, 130):
+            self.assertIn("error", err.lower())
+        return out, err
+
+    def render(self, *arguments, **settings):
+        return self.run_program("render", "scene.clu", "-s", "32x18", *arguments, **settings)
+
+    def files(self):
+        return sorted(os.listdir(self.folder))
+
+    # What is asked for.
+
+    def test_help_and_version_are_no_errors(self):
+        for arguments in (["--help"], ["--version"], *([c, "--help"] for c in ("render", "devices", "inspect", "compare"))):
+            out, _ = self.run_program(*arguments)
+            self.assertIn(b"clucida", out)
+
+    def test_wrong_usage_ends_with_2(self):
+        for arguments in (
+            [],
+            ["nonsense"],
+            ["render"],
+            ["render", "scene.clu", "--nonsense"],
+            ["render", "scene.clu", "--samples", "0"],
+            ["render", "scene.clu", "--samples", "many"],
+            ["render", "scene.clu", "--samples", "-1"],
+            ["render", "scene.clu", "--max-hops", "0"],
+            ["render", "scene.clu", "--cutoff", "2"],
+            ["render", "scene.clu", "--cutoff", "nan"],
+            ["render", "scene.clu", "--precision", "half"],
+            ["render", "scene.clu", "--tile", "0x4"],
+            ["render", "scene.clu", "--format", "pov"],
+            ["render", "scene.clu", "--as-original"],
+            ["render", "scene.clu", "--depth", "12"],
+            ["render", "scene.clu", "--overwrite", "--skip-existing"],
+            ["render", "scene.clu", "--quality", "0"],
+            ["render", "scene.clu", "-o", "a.exr"],
+            ["render", "scene.clu", "-o", "png"],
+            ["render", "scene.clu", "-o", "-", "--format-out", "bmp"],
+            ["render", "scene.clu", "--device", "all", "--nonsense"],
+            ["compare", "a.png"],
+        ):
+            with self.subTest(arguments=arguments):
+                self.run_program(*arguments, code=2)
+        self.assertEqual(self.files(), ["scene.clu"])
+
+    def test_absurd_sizes_end_with_2(self):
+        for size in ("0x0", "0x18", "32x-1", "32", "32x", "x18", "32x18x3", "1e3x5", "65537x1", "1000000x1000000", ""):
+            with self.subTest(size=size):
+                self.run_program("render", "scene.clu", "-s", size, code=2)
+
+    # Scenes.
+
+    def test_a_scene_that_cannot_be_read_or_is_wrong_ends_with_2_and_says_where(self):
+        _, err = self.run_program("render", "none.clu", code=2)
+        self.assertIn("none.clu", err)
+        self.run_program("render", ".", code=2)
+        with open(self.path("wrong.clu"), "w") as file:
+            file.write("clucida 1\nobserver { eye [0, 0, 0]; lok [1, 0, 0] }\n")
+        for command in ("render", "inspect"):
+            _, err = self.run_program(command, "wrong.clu", code=2)
+            self.assertIn("wrong.clu:2:27: error:", err)
+            self.assertIn("lok", err)
+
+    def test_a_scene_may_come_from_standard_input(self):
+        self.run_program("render", "-", "-s", "8x8", "-o", "a.png", input=SCENE.encode())
+        self.assertIn("a.png", self.files())
+
+    def test_inspect_tells_what_a_scene_needs(self):
+        out, _ = self.run_program("inspect", "scene.clu")
+        for word in (b"ball", b"ground", b"sphere", b"plane", b"bytes"):
+            self.assertIn(word, out)
+        found = json.loads(self.run_program("inspect", "scene.clu", "--json")[0])
+        self.assertEqual([o["name"] for o in found["objects"]], ["ball", "ground"])
+        self.assertIn("transparent", found["features"])
+        self.assertEqual(sum(found["buffers"].values()), found["total_bytes"])
+
+    def test_inspect_prints_a_scene_that_reads_back(self):
+        text, err = self.run_program("inspect", "scene.clu", "--print")
+        self.assertEqual(err, "")
+        again, _ = self.run_program("inspect", "-", "--print", input=text)
+        self.assertEqual(again, text)
+
+    # Devices.
+
+    def test_an_unknown_device_ends_with_1_and_lists_what_there_is(self):
+        for how in ({"env": {"CLUCIDA_DEVICE": "no such"}}, {}):
+            flag = [] if how else ["--device", "no such"]
+            _, err = self.render(*flag, code=1, **how)
+            self.assertIn("no such", err)
+            self.assertIn("0:0 ", err)
+        self.render("--device", "97:3", code=1)
+        self.assertEqual(self.files(), ["scene.clu"])
+
+    def test_the_flag_wins_over_the_environment(self):
+        self.render("--device", "0:0", env={"CLUCIDA_DEVICE": "no such"})
+
+    def test_without_any_device_it_ends_with_1_and_says_what_to_install(self):
+        os.mkdir(self.path("empty"))
+        for arguments in (["render", "scene.clu"], ["devices"], ["devices", "--json"]):
+            _, err = self.run_program(*arguments, code=1, env={"OCL_ICD_VENDORS": self.path("empty")})
+            self.assertIn("pocl-opencl-icd", err)
+
+    def test_devices_lists_them_with_one_default(self):
+        found = json.loads(self.run_program("devices", "--json")[0])
+        self.assertEqual(sum(d["default"] for d in found), 1)
+        for device in found:
+            self.assertEqual(device["arithmetic"], "exact")
+        out, _ = self.run_program("devices", "--no-test")
+        self.assertIn(found[0]["name"].encode(), out)
+
+    # Pictures.
+
+    def test_without_a_name_the_picture_is_named_after_the_scene(self):
+        _, err = self.render()
+        with open(self.path("scene.png"), "rb") as file:
+            width, height, text = png_size_and_text(file.read())
+        self.assertEqual((width, height), (32, 18))
+        self.assertIn("--samples 1", text["Command"])
+        self.assertIn("device ", err)
+        self.assertIn("Mrays/s", err)
+        self.assertEqual(self.files(), ["scene.clu", "scene.png"])
+
+    def test_quiet_says_nothing_of_the_course_of_things(self):
+        _, err = self.render("--quiet")
+        for word in ("device", "Mrays/s"):
+            self.assertNotIn(word, err)
+
+    def test_json_holds_statistics_and_times(self):
+        found = json.loads(self.render("--json", "-q", "--samples", "3")[0])
+        self.assertEqual(found["statistics"]["primary"], 32 * 18 * 3)
+        self.assertGreater(found["seconds"]["trace"], 0)
+        out, err = self.render("--json", "-q", "-o", "-")
+        png_size_and_text(out)
+        self.assertIn('"statistics"', err)
+
+    def test_a_picture_to_standard_output_is_whole(self):
+        self.assertEqual(png_size_and_text(self.render("-o", "-")[0])[:2], (32, 18))
+        self.assertEqual(png_size_and_text(self.render("-o", "-", "--depth", "16")[0])[:2], (32, 18))
+        out, _ = self.render("-o", "-", "--format-out", "ppm")
+        self.assertEqual((out[:13], len(out)), (b"P6\n32 18\n255\n", 13 + 32 * 18 * 3))
+        out, _ = self.render("-o", "-", "--format-out", "pfm")
+        self.assertEqual((out[:14], len(out)), (b"PF\n32 18\n-1.0\n", 14 + 32 * 18 * 12))
+        self.assertEqual(self.files(), ["scene.clu"])
+
+    def test_tiles_and_repetition_do_not_change_a_byte_of_the_file(self):
+        first = self.render("-o", "-", "--samples", "18")[0]
+        for extra in ([], ["--tile", "1x1"], ["--tile", "20x9"], ["--tile", "4000x40"]):
+            self.assertEqual(self.render("-o", "-", "--samples", "18", *extra)[0], first, extra)
+
+    def test_every_format_can_be_compared_with_the_picture_it_holds(self):
+        for ending in ("png", "ppm", "pfm", "hdr", "jpg"):
+            self.render("-o", "a." + ending)
+        self.render("-o", "deep.png", "--depth", "16")
+        for name, limit in (("a.png", "0.003"), ("a.ppm", "0.003"), ("deep.png", "1e-5"), ("a.hdr", "0.004"), ("a.jpg", "0.05")):
+            with self.subTest(name=name):
+                self.run_program("compare", "a.pfm", name, "--fail-above", limit)
+        self.run_program("compare", "a.png", "a.ppm", "--fail-above", "0")
+
+    def test_an_existing_picture_is_replaced_unless_it_is_to_be_kept(self):
+        for arguments, kept in ((["--skip-existing"], True), ([], False), (["--overwrite"], False)):
+            with open(self.path("a.png"), "w") as file:
+                file.write("old")
+            self.render("-o", "a.png", *arguments)
+            with open(self.path("a.png"), "rb") as file:
+                self.assertEqual(file.read() == b"old", kept)
+
+    def test_a_place_that_cannot_be_written_ends_with_1_before_rendering(self):
+        for output in ("none/a.png", "scene.clu/a.png"):
+            _, err = self.render("-o", output, code=1)
+            self.assertNotIn("device", err)
+        os.mkdir(self.path("folder.png"))
+        self.render("-o", "folder.png", code=1)
+
+    def test_a_full_disk_ends_with_1(self):
+        with open("/dev/full", "wb") as full:
+            _, err = self.render("-o", "-", code=1, stdout=full)
+        self.assertIn("No space left", err)
+        os.symlink("/dev/full", self.path("full.png"))
+        self.render("-o", "full.png", code=1)
+        self.assertEqual(self.files(), ["full.png", "scene.clu"])
+
+    def test_a_closed_pipe_ends_with_1(self):
+        reading, writing = os.pipe()
+        os.close(reading)
+        try:
+            self.render("-o", "-", code=1, stdout=writing)
+        finally:
+            os.close(writing)
+
+    def test_an_interrupt_ends_with_130_and_leaves_no_file(self):
+        self.render("-o", "warm.png")  # so that the kernel is compiled
+        os.remove(self.path("warm.png"))
+        process = self.start("render", "scene.clu", "-s", "1920x1080", "--samples", "4096", "-o", "a.png")
+        line = process.stderr.readline()
+        self.assertIn(b"device", line)
+        time.sleep(2)
+        process.send_signal(signal.SIGINT)
+        begun = time.monotonic()
+        _, err = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130, err)
+        self.assertLess(time.monotonic() - begun, 10)
+        self.assertEqual(self.files(), ["scene.clu"])
+
+    # Comparing.
+
+    def test_compare_measures_and_guards(self):
+        self.render("-o", "a.png")
+        self.render("-o", "b.png", "--samples", "4")
+        found = json.loads(self.run_program("compare", "a.png", "b.png", "--json", "--eight-bit")[0])
+        self.assertGreater(found["rmse"], 0)
+        self.assertGreater(found["eight_bit"]["max_steps"], 0)
+        _, err = self.run_program("compare", "a.png", "b.png", "--fail-above", "1e-9", code=1)
+        self.assertIn("differ", err)
+        self.assertIsNone(json.loads(self.run_program("compare", "a.png", "a.png", "--json")[0])["psnr"])
+
+    def test_compare_refuses_other_sizes_and_what_is_no_picture(self):
+        self.render("-o", "a.png")
+        self.run_program("render", "scene.clu", "-s", "8x8", "-o", "b.png")
+        for other in ("b.png", "scene.clu", "none.png"):
+            self.run_program("compare", "a.png", other, code=1)
+
+
+if __name__ == "__main__":
+    unittest.main()

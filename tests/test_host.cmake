@@ -1,0 +1,10 @@
+# The host's tests: what needs no device, what needs one, and the program as its users meet it.
+clucida_test(test_host_kernel_source test_host_kernel_source.cpp LIBS clucida_host)
+clucida_test(test_host_choice test_host_choice.cpp LIBS clucida_host)
+clucida_test(test_host_files test_host_files.cpp LIBS clucida_host)
+clucida_test(test_picture test_picture.cpp LIBS clucida_host)
+clucida_test(test_host_device test_host_device.cpp LIBS clucida_host)
+
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+add_test(NAME test_cli COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/test_cli.py $<TARGET_FILE:clucida>)
+set_tests_properties(test_cli PROPERTIES TIMEOUT 600)

@@ -1,0 +1,158 @@
+// What needs an OpenCL device. Without one these tests fail; they never skip.
+#include "host/devices.h"
+#include "host/errors.h"
+#include "host/program.h"
+#include "host/renderer.h"
+#include "host/selftest.h"
+#include "scene/read.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace clucida::host {
+namespace {
+
+constexpr const char* scene_text = R"(clucida 1
+observer { eye [0, -6, 2]; look [0, 0, 0.8]; fov 45 }
+sky gradient { low 0.2; middle 0.8; high [0.2, 0.4, 1] }
+light { point [5, -5, 8] }
+optics glass { reflection 0.1; refraction 0.9; index 1.5 }
+optics floor { reflection 0.2; absorption [0.6, 0.5, 0.4] }
+object ball { solid sphere([0, 0, 1], 1); optics glass }
+object ground { solid plane([0, 0, 0], [0, 0, 1]); optics floor }
+)";
+
+scene::Compiled compiled(Shape size, unsigned samples)
+{
+    const scene::Scene scene = scene::read_scene(scene_text, "test", scene::Format::clucida, ".");
+    scene::View view;
+    view.width = size.width;
+    view.height = size.height;
+    view.samples = samples;
+    return scene::compile(scene, view);
+}
+
+RenderSettings settings(Shape size, unsigned samples)
+{
+    RenderSettings s;
+    s.picture = size;
+    s.samples = samples;
+    return s;
+}
+
+TEST(Device, a_missing_OpenCL_device_fails_the_suite)
+{
+    EXPECT_FALSE(list_devices().empty()) << "no OpenCL device: the suite needs one, such as pocl-opencl-icd";
+    EXPECT_NO_THROW(find_device(device_selector("")));
+}
+
+TEST(Device, exact_arithmetic_survives_the_compiler)
+{
+    for (const Device& device : list_devices()) EXPECT_EQ(self_test(device), "") << describe(device.info);
+}
+
+TEST(Device, a_kernel_that_does_not_compile_names_the_true_file_and_line)
+{
+    const Device device = find_device(device_selector(""));
+    const Renderer renderer = make_renderer(device);
+    try {
+        build_program(renderer.context, device, "#line 7 \"kernels/x.h\"\n__kernel void k() { nonsense; }\n", "",
+                      KernelCache::off);
+        FAIL() << "nonsense was compiled";
+    } catch (const Failure& e) {
+        EXPECT_NE(std::string(e.what()).find("kernels/x.h:7:"), std::string::npos) << e.what();
+    }
+}
+
+TEST(Device, a_program_from_the_cache_is_the_same_as_one_from_its_source)
+{
+    const auto folder = std::filesystem::temp_directory_path() / ("clucida_cache_" + std::to_string(::getpid()));
+    ::setenv("XDG_CACHE_HOME", folder.c_str(), 1);
+    const Device device = find_device(device_selector(""));
+    const Renderer renderer = make_renderer(device);
+    const std::string source = "__kernel void k(__global int* a) { a[get_global_id(0)] = 42; }";
+    const auto build = [&] { return build_program(renderer.context, device, source, "", KernelCache::always); };
+    EXPECT_FALSE(build().from_cache);
+    const Program program = build();
+    std::filesystem::remove_all(folder);
+    ASSERT_TRUE(program.from_cache) << program.note;
+    cl::Kernel kernel(program.handle, "k");
+    const cl::Buffer buffer(renderer.context, CL_MEM_READ_WRITE, sizeof(cl_int));
+    kernel.setArg(0, buffer);
+    renderer.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(1));
+    cl_int answer = 0;
+    renderer.queue.enqueueReadBuffer(buffer, CL_TRUE, 0, sizeof answer, &answer);
+    EXPECT_EQ(answer, 42);
+}
+
+TEST(Rendering, the_picture_is_the_same_to_the_byte_whatever_the_tiles)
+{
+    const Shape size{75, 53};
+    const unsigned samples = 2 * samples_per_launch + 3;
+    const scene::Compiled scene = compiled(size, samples);
+    Renderer renderer = make_renderer(find_device(device_selector("")));
+    RenderSettings s = settings(size, samples);
+    const Frame free = render_frame(renderer, scene, s);
+    ASSERT_TRUE(std::any_of(free.picture.rgb.begin(), free.picture.rgb.end(), [](float v) { return v > 0; }));
+    for (const auto& [tile, in_flight] : {std::pair{Shape{75, 53}, 1U}, {{1, 1}, 3U}, {{33, 20}, 2U}}) {
+        s.tile = tile;
+        s.in_flight = in_flight;
+        const Frame cut = render_frame(renderer, scene, s);
+        EXPECT_EQ(cut.picture.rgb, free.picture.rgb) << tile.width << 'x' << tile.height;
+        for (const StatisticsField& f : statistics_fields())
+            EXPECT_EQ(cut.statistics.*f.value, free.statistics.*f.value) << f.name;
+    }
+    EXPECT_EQ(free.statistics.primary, std::uint64_t{75} * 53 * samples);
+}
+
+TEST(Rendering, a_second_frame_of_the_same_needs_is_not_compiled_again)
+{
+    const Shape size{16, 16};
+    Renderer renderer = make_renderer(find_device(device_selector("")));
+    EXPECT_GT(render_frame(renderer, compiled(size, 1), settings(size, 1)).timings.build, 0);
+    EXPECT_EQ(render_frame(renderer, compiled(size, 2), settings(size, 2)).timings.build, 0);
+}
+
+TEST(Rendering, a_capacity_that_is_too_small_is_enlarged)
+{
+    const Shape size{64, 48};
+    scene::Compiled scene = compiled(size, 1);
+    Renderer renderer = make_renderer(find_device(device_selector("")));
+    const Frame right = render_frame(renderer, scene, settings(size, 1));
+    scene.needs.stack = 1;
+    scene.needs.interior = 1;
+    const Frame frame = render_frame(renderer, scene, settings(size, 1));
+    EXPECT_GT(frame.retries, 0U);
+    EXPECT_EQ(frame.statistics.stack_overflow + frame.statistics.interior_overflow, 0U);
+    EXPECT_EQ(frame.picture.rgb, right.picture.rgb);
+}
+
+TEST(Rendering, progress_is_told_and_reaches_the_end)
+{
+    const Shape size{64, 64};
+    Renderer renderer = make_renderer(find_device(device_selector("")));
+    RenderSettings s = settings(size, 1);
+    s.tile = Shape{16, 16};
+    std::vector<double> told;
+    render_frame(renderer, compiled(size, 1), s, {[&](double f) { told.push_back(f); }, {}});
+    EXPECT_EQ(told.size(), 16U);
+    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+    EXPECT_EQ(told.back(), 1);
+}
+
+TEST(Rendering, a_wish_to_stop_is_heard_between_launches)
+{
+    const Shape size{64, 64};
+    Renderer renderer = make_renderer(find_device(device_selector("")));
+    RenderSettings s = settings(size, 1);
+    s.tile = Shape{16, 16};
+    double done = 0;
+    EXPECT_THROW(render_frame(renderer, compiled(size, 1), s, {[&](double f) { done = f; }, [&] { return done > 0; }}),
+                 Interrupted);
+    EXPECT_LT(done, 0.5);
+}
+
+} // namespace
+} // namespace clucida::host
