@@ -110,8 +110,8 @@ static inline int span_holds(const Line* line, const Span* s, real x, real err)
 }
 
 #ifdef CLU_GROUPS
-static inline int object_holds(const World* world, const LayoutObject* object, const Line* line, const Span* spans,
-                               real x, real err)
+static inline int object_holds(const World* world, __global const LayoutObject* object, const Line* line,
+                               const Span* spans, real x, real err)
 {
 #ifdef CLU_PROGRAM
     if (object->program_count) {
@@ -196,7 +196,7 @@ static inline Crossing crossing_here(World* world, const Line* line, Crossing fo
 
 /* Where the object's boundary is next crossed by a ray that at parameter x (known to err) is inside it, or not.
  * Returns 1 and the crossing, or 0. */
-static inline int object_crossing(World* world, const LayoutObject* object, const Line* line, real x, real err,
+static inline int object_crossing(World* world, __global const LayoutObject* object, const Line* line, real x, real err,
                                   int inside, Crossing* crossing)
 {
     const real from = line->start + x;
@@ -204,12 +204,13 @@ static inline int object_crossing(World* world, const LayoutObject* object, cons
     if (object->group_count > 1 || object->program_count) {
         Span spans[CLU_GROUP_CAPACITY];
         const u32 count = object->group_count;
-        for (u32 i = 0; i < count; i++) {
+        u32 i = 0;
+        do {
             const Span s = group_span(world, world->groups[object->group_begin + i], line);
             spans[i] = s;
             /* An intersection one of whose members has nothing ahead is done with. */
             if (!inside && !object->program_count && s.keep && !(s.lo < s.hi && s.hi >= from)) return 0;
-        }
+        } while (++i < count);
         if (object_holds(world, object, line, spans, from, err) != inside) {
             *crossing = crossing_here(world, line, nearest_face(spans, count, from, !inside), x, err);
             return 1;
@@ -240,7 +241,7 @@ static inline int object_crossing(World* world, const LayoutObject* object, cons
 }
 
 /* Whether the object holds the ray's start: on its boundary the ray's own side decides. */
-static inline int object_holds_start(const World* world, const LayoutObject* object, const Line* line)
+static inline int object_holds_start(const World* world, __global const LayoutObject* object, const Line* line)
 {
 #ifdef CLU_GROUPS
     if (object->group_count > 1 || object->program_count) {

@@ -15,7 +15,7 @@ typedef struct {
 } Interface;
 
 /* Whether the bounding sphere is met between parameters from and to. Its radius has the host's margin. */
-static inline int bound_met(const LayoutObject* object, const Line* line, real from, real to)
+static inline int bound_met(__global const LayoutObject* object, const Line* line, real from, real to)
 {
     const real radius = R(object->radius);
     if (!is_finite(radius)) return 1;
@@ -56,13 +56,13 @@ static inline int nearest_interface(World* world, const Ray* ray, real x, real e
     face->count = 0;
     COUNT(world, STAT_QUERIES);
     for (u32 id = 0; id < count; id++) {
-        const LayoutObject object = world->objects[id];
+        __global const LayoutObject* object = &world->objects[id];
         const int inside = interior_has(interior, id);
-        const Line line = make_line(ray, load_vec(object.center));
-        if (!inside && !bound_met(&object, &line, x - err, face->t + err)) continue;
+        const Line line = make_line(ray, load_vec(object->center));
+        if (!inside && !bound_met(object, &line, x - err, face->t + err)) continue;
         COUNT(world, STAT_TESTS);
         Crossing crossing;
-        if (object_crossing(world, &object, &line, x, err, inside, &crossing))
+        if (object_crossing(world, object, &line, x, err, inside, &crossing))
             interface_add(face, id, crossing, position_error(ray->o, crossing.t));
     }
     return face->count > 0;
@@ -77,12 +77,12 @@ static inline int is_hidden(World* world, const Ray* ray, real distance)
     const real err = position_error(ray->o, distance);
     COUNT(world, STAT_SHADOW);
     for (u32 id = 0; id < count; id++) {
-        const LayoutObject object = world->objects[id];
-        const Line line = make_line(ray, load_vec(object.center));
-        if (!bound_met(&object, &line, R(0), distance)) continue;
+        __global const LayoutObject* object = &world->objects[id];
+        const Line line = make_line(ray, load_vec(object->center));
+        if (!bound_met(object, &line, R(0), distance)) continue;
         COUNT(world, STAT_TESTS);
         Crossing crossing;
-        if (object_crossing(world, &object, &line, R(0), ray->err, 0, &crossing) &&
+        if (object_crossing(world, object, &line, R(0), ray->err, 0, &crossing) &&
             crossing.t + crossing.slope * err < distance)
             return 1;
     }

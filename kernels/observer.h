@@ -32,9 +32,9 @@ static inline void observer_branch(World* world, u32 i, u32 j, u32 sample, Branc
     branch->interior.count = 0;
     for (u32 k = 0; k < f->start_count; k++) {
         const u32 id = world->starts[k];
-        const LayoutObject object = world->objects[id];
-        const Line line = make_line(&branch->ray, load_vec(object.center));
-        if (object_holds_start(world, &object, &line)) interior_toggle(world, &branch->interior, id);
+        __global const LayoutObject* object = &world->objects[id];
+        const Line line = make_line(&branch->ray, load_vec(object->center));
+        if (object_holds_start(world, object, &line)) interior_toggle(world, &branch->interior, id);
     }
 }
 

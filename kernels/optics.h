@@ -10,6 +10,26 @@ static inline vec reflected(vec d, vec n, real cosine)
     return renormalized(along(d, n, R(2) * cosine));
 }
 
+#if defined(CLU_AS_GUN) || defined(CLU_AS_RAYT)
+/* The original program's refraction, which is not Snell's: it takes the cosine from the direction that it has already
+ * scaled by w (docs/original.md). */
+#ifdef CLU_AS_GUN
+#define LEAST_DET R(1e-5f)
+#else
+#define LEAST_DET R(1e-6f)
+#endif
+static inline real refraction_det(real w, real cosine)
+{
+    const real a = w * cosine;
+    const real det = R(1) - w * w * (R(1) - a * a);
+    return det < LEAST_DET ? R(-1) : det;
+}
+
+static inline vec refracted(vec d, vec n, real w, real cosine, real det)
+{
+    return renormalized(normalized(along(scaled(d, w), n, w * w * cosine - sqrt(det))));
+}
+#else
 /* Snell's law for a ray that comes from index n1 to n2; w = n1/n2, n the unit normal on the side that it comes from,
  * cosine = -d.n. det < 0 means total reflection. Written so that w = 1 changes nothing at all. */
 static inline real refraction_det(real w, real cosine)
@@ -24,6 +44,7 @@ static inline vec refracted(vec d, vec n, real w, real cosine, real det)
     if (w == R(1) || s == R(0)) return d;
     return renormalized(along(scaled(d, w), n, (w - R(1)) * (w + R(1)) / s));
 }
+#endif
 
 #ifdef CLU_FRESNEL
 /* The reflected part of unpolarised light (Fresnel; Born and Wolf, Principles of Optics, 1.5.2). */

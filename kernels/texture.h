@@ -75,7 +75,7 @@ static inline rgb texture_color(const World* world, const LayoutTexture* t, vec 
     const vec y = make_vec(R(t->y[0]), R(t->y[1]), R(t->y[2]));
     const vec z = make_vec(R(t->z[0]), R(t->z[1]), R(t->z[2]));
     const real scale = R(t->scale);
-    const vec local = make_vec(dot3(x, d), dot3(y, d), dot3(z, d));
+    const vec turned = make_vec(dot3(x, d), dot3(y, d), dot3(z, d));
     real u, v;
     int wrap_rows = 1;
     switch (t->mapping) {
@@ -86,15 +86,15 @@ static inline rgb texture_color(const World* world, const LayoutTexture* t, vec 
         break;
     }
     case MAPPING_LINEAR:
-        u = (atan2(local.y, local.x) + PI_REAL) / (R(2) * PI_REAL);
-        v = fraction(local.z * scale);
+        u = (atan2(turned.y, turned.x) + PI_REAL) / (R(2) * PI_REAL);
+        v = fraction(turned.z * scale);
         break;
     case MAPPING_PLANAR:
-        u = fraction(local.x);
-        v = fraction(local.y);
+        u = fraction(turned.x);
+        v = fraction(turned.y);
         break;
     default:
-        direction_to_uv(local, &u, &v);
+        direction_to_uv(turned, &u, &v);
         u = scale == R(1) ? u : fraction(u * scale);
         v = scale == R(1) ? v : fraction(v * scale);
         wrap_rows = scale != R(1);

@@ -67,18 +67,18 @@ static inline Span quadric_span(__global const LayoutQuadric* q, const Line* lin
     const real dd = dot3(d, d);
     const real nearest = -dot3(apply(q->m, o), d) / dd;
     const vec x = scaled(cross_exact(d, k), R(1) / dd);
-    const vec half = quadric_half_gradient(q, x);
-    const real b = dot3(half, d);
+    const vec gradient = quadric_half_gradient(q, x);
+    const real b = dot3(gradient, d);
     Sum sum = {R(q->w), R(0)};
     sum_product(&sum, R(q->s[0]) * x.x, x.x);
     sum_product(&sum, R(q->s[1]) * x.y, x.y);
     sum_product(&sum, fma(R(q->s[2]), x.z, R(-2) * R(q->g)), x.z);
-    const real constant = sum_value(sum);
+    const real value = sum_value(sum);
 
-    if (!(discriminant > R(0))) return constant < R(0) ? span_everything() : span_nothing();
+    if (!(discriminant > R(0))) return value < R(0) ? span_everything() : span_nothing();
     const real root = sqrt(discriminant);
     const real s = -(b + copysign(root, b));
-    const real t1 = constant / s;
+    const real t1 = value / s;
     Span span;
     if (a == R(0)) {
         span = b > R(0) ? make_span(-INFINITE, t1, R(0), 1) : make_span(t1, INFINITE, R(0), 1);
@@ -97,12 +97,12 @@ static inline Span quadric_span(__global const LayoutQuadric* q, const Line* lin
 static inline vec quadric_normal(__global const LayoutQuadric* q, vec* p)
 {
     const vec x = apply(q->m, sub(*p, load_vec(q->c)));
-    const vec half = quadric_half_gradient(q, x);
+    const vec gradient = quadric_half_gradient(q, x);
     Sum sum = {R(q->w), R(0)};
     sum_product(&sum, R(q->s[0]) * x.x, x.x);
     sum_product(&sum, R(q->s[1]) * x.y, x.y);
     sum_product(&sum, fma(R(q->s[2]), x.z, R(-2) * R(q->g)), x.z);
-    const vec g = apply_transposed(q->m, half);
+    const vec g = apply_transposed(q->m, gradient);
     const real gg = dot3(g, g);
     if (!(gg > R(0))) return make_vec(R(0), R(0), R(1));
     *p = along(*p, g, R(-0.5f) * sum_value(sum) / gg);
