@@ -24,7 +24,7 @@ TEST(ReadClucida, AnEmptySceneNeedsAVersionAndAnObserver)
     EXPECT_TRUE(scene.objects.empty());
     EXPECT_EQ(scene.sky, Sky(SkyColor{}));
     EXPECT_EQ(scene.settings, Settings{});
-    EXPECT_EQ(scene.observer, Observer(Pinhole({0, -6, 2}, {0, 0, 0}, {0, 0, 1}, 45)));
+    EXPECT_EQ(scene.observer, Observer(Pinhole{{0, -6, 2}, {0, 0, 0}, {0, 0, 1}, 45}));
 }
 
 TEST(ReadClucida, AllOfTheLanguageIsUnderstood)
@@ -139,7 +139,7 @@ TEST(ReadClucida, SkiesAreOfFiveKinds)
 TEST(ReadClucida, TheOriginalsWindowCanBeTheObserver)
 {
     const Scene scene = read("clucida 1\nobserver window { eye [1,2,3]; view [4,5,6]; column [1,0,0]; row [0,1,0] }");
-    EXPECT_EQ(scene.observer, Observer(Window({1, 2, 3}, {4, 5, 6}, {1, 0, 0}, {0, 1, 0})));
+    EXPECT_EQ(scene.observer, Observer(Window{{1, 2, 3}, {4, 5, 6}, {1, 0, 0}, {0, 1, 0}}));
 }
 
 TEST(ReadClucida, ThingsKnowTheirPlaces)

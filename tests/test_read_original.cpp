@@ -15,7 +15,7 @@ void expect_near(const Vec3& a, const Vec3& b)
 TEST(ReadGun, AllOfTheLanguageIsUnderstood)
 {
     const Scene scene = read(data_text("full.gun"), Format::gun);
-    EXPECT_EQ(scene.observer, Observer(Window({0, -4, 1}, {0, 0, 0}, {1, 0, 0}, {0, 0, -1})));
+    EXPECT_EQ(scene.observer, Observer(Window{{0, -4, 1}, {0, 0, 0}, {1, 0, 0}, {0, 0, -1}}));
     EXPECT_EQ(scene.settings, Settings{});
     EXPECT_EQ(scene.sky, Sky(SkyColor{{.1, .2, .3}}));
     ASSERT_EQ(scene.objects.size(), 6U);
