@@ -50,10 +50,11 @@ static inline real line_error(const Line* line, real t)
     return TOLERANCE * (largest(line->base) + fabs(t));
 }
 
-/* Whether an end at t lies before x or so near after it that rounding cannot tell (err: how well x is known). */
+/* Whether an end at t lies before x, or so near after it that rounding cannot tell: the point at x is (t - x)/slope
+ * away from the surface, and known no better than line_error + err. */
 static inline int passed(const Line* line, real t, real slope, real x, real err)
 {
-    return t <= x || (is_finite(t) && t - slope * (line_error(line, t) + err) <= x);
+    return t <= x || (is_finite(t) && t - x <= slope * (line_error(line, x) + err));
 }
 
 /* The span of a primitive that the ray has just left: one end is where the ray starts, exactly; the other lies

@@ -10,6 +10,7 @@ typedef struct {
     vec n;             /* outward unit normal of the object */
     vec facing;        /* the normal on the side that the ray comes from */
     real cosine;       /* of the angle of incidence, >= 0 */
+    real err;          /* how far p may lie from this surface and those that coincide with it */
     u32 object;        /* whose surface it is: the highest in precedence of those left and entered */
     u32 before, after; /* the media in force on the two sides */
     int entering;      /* the object is entered, not left */
@@ -17,7 +18,8 @@ typedef struct {
     int beyond_inside; /* whether the far side is the primitive's inside */
 } Surface;
 
-static inline Surface make_surface(const World* world, const Ray* ray, u32 id, Crossing crossing, u32 before, u32 after)
+static inline Surface make_surface(const World* world, const Ray* ray, u32 id, Crossing crossing, int shared,
+                                   u32 before, u32 after)
 {
     Surface s;
     const vec center = load_vec(world->objects[id].center);
@@ -26,6 +28,7 @@ static inline Surface make_surface(const World* world, const Ray* ray, u32 id, C
     s.n = member_normal(world, crossing.face, &p);
     s.p = add(center, p);
     s.t = crossing.t;
+    s.err = position_error(s.p, R(0)) + (shared ? position_error(ray->o, crossing.t) : R(0));
     s.object = id;
     s.before = before;
     s.after = after;
@@ -54,7 +57,7 @@ static inline int next_surface(World* world, const Ray* ray, Interior* interior,
             u32 i = 0;
             while (i + 1 < face.count && face.ids[i] != shown) i++;
             if (face.crossings[i].face != MEMBER_NONE) {
-                *surface = make_surface(world, ray, shown, face.crossings[i], before, after);
+                *surface = make_surface(world, ray, shown, face.crossings[i], face.count > 1, before, after);
                 return 1;
             }
         }

@@ -122,7 +122,7 @@ static inline rgb absorbed(World* world, const Surface* s, rgb filter)
     shadow.o = s->p;
     shadow.left = s->left;
     shadow.left_inside = !s->beyond_inside;
-    shadow.err = position_error(s->p, R(0));
+    shadow.err = s->err;
     for (u32 i = 0; i < frame->light_count; i++) {
         const rgb light = rgb_filter(load_rgb(world->lights[i].color), filter);
 #ifdef CLU_AS_GUN
@@ -163,7 +163,7 @@ static inline int follow(World* world, Branch* next, const Surface* s, vec d, in
     next->ray.d = d;
     next->ray.left = s->left;
     next->ray.left_inside = beyond ? s->beyond_inside : !s->beyond_inside;
-    next->ray.err = position_error(s->p, R(0));
+    next->ray.err = s->err;
     interior_copy(&next->interior, interior);
     COUNT(world, STAT_RAYS);
     world->stats[beyond ? STAT_REFRACTED : STAT_REFLECTED]++;
