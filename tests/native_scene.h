@@ -1,0 +1,252 @@
+/// What the tests of the kernels share: scenes as values or text, the native core in both precisions, and vectors of
+/// any real type for expected values.
+#pragma once
+
+#include "kernels/native_api.h"
+#include "scene/compile.h"
+#include "scene/linear.h"
+#include "scene/model.h"
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <gtest/gtest.h>
+#include <optional>
+#include <random>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace clucida::test {
+
+using scene::Optics;
+using scene::Rgb;
+using scene::Scene;
+using scene::SolidPtr;
+using scene::Vec3;
+using scene::View;
+
+__extension__ using Quad = __float128;
+inline constexpr u32 vacuum = 0xffffffffU;
+
+/// The two precisions that the core is built in. u is the unit roundoff, Wide a type that is exact beside it.
+struct Float {
+    using real = float;
+    using Wide = long double;
+    static constexpr double u = 0x1p-24;
+    static constexpr auto render = native_render_f;
+    static constexpr auto surface = native_surface_f;
+    static constexpr auto trace = native_trace_f;
+    static constexpr auto refract = native_refract_f;
+    static constexpr auto diffuse = native_diffuse_f;
+    static constexpr auto unpack_filter = native_unpack_filter_f;
+};
+struct Double {
+    using real = double;
+    using Wide = Quad;
+    static constexpr double u = 0x1p-53;
+    static constexpr auto render = native_render_d;
+    static constexpr auto surface = native_surface_d;
+    static constexpr auto trace = native_trace_d;
+    static constexpr auto refract = native_refract_d;
+    static constexpr auto diffuse = native_diffuse_d;
+    static constexpr auto unpack_filter = native_unpack_filter_d;
+};
+struct PrecisionNames {
+    template <typename P>
+    static std::string GetName(int)
+    {
+        return std::is_same_v<P, Float> ? "Float" : "Double";
+    }
+};
+using Precisions = ::testing::Types<Float, Double>;
+
+using Stats = std::array<u32, STAT_COUNT>;
+
+/// Nothing that a sound trace never does: parity faults, NaNs, overflows, rays given up.
+void expect_sound(const Stats& stats);
+
+/// A compiled scene, ready for the native core.
+struct Native {
+    scene::Compiled compiled;
+    NativeScene buffers{};
+    explicit Native(const Scene& scene, const View& view = {});
+    template <typename T>
+    std::span<const T> items(LayoutBuffer buffer) const
+    {
+        const auto& bytes = compiled.buffers.bytes[buffer];
+        return {reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
+    }
+};
+
+// Scenes.
+/// An observer at the origin who looks along y, with z up; a black sky, no objects.
+Scene empty_scene();
+/// Reads statements of clucida's own language; "clucida 1" stands before them, and an observer if they have none.
+Scene parse(const std::string& statements, const std::string& folder = ".");
+Optics clear(double index = 1); ///< refraction 1, reflection 0
+Optics mirror();                ///< reflection 1
+Optics emitter(Rgb color);
+void add(Scene& scene, SolidPtr solid, const Optics& optics);
+/// One object for each solid, all clear with index 1.
+Scene scene_of(const std::vector<SolidPtr>& solids);
+inline SolidPtr solid(decltype(scene::Solid::node) node)
+{
+    return scene::make_solid(std::move(node));
+}
+inline SolidPtr complement(SolidPtr of)
+{
+    return solid(scene::Complement{std::move(of)});
+}
+inline SolidPtr sphere(Vec3 center, double radius)
+{
+    return solid(scene::Sphere{center, radius});
+}
+inline SolidPtr plane(Vec3 point, Vec3 normal)
+{
+    return solid(scene::Plane{point, normal});
+}
+inline SolidPtr cuboid(Vec3 center, Vec3 size)
+{
+    return solid(scene::Cuboid{center, {0, 0, 1}, {1, 0, 0}, size});
+}
+
+// Random numbers, the same everywhere.
+using Random = std::mt19937_64;
+inline double uniform(Random& random, double low = 0, double high = 1)
+{
+    return low + (high - low) * (static_cast<double>(random() >> 11) * 0x1p-53);
+}
+inline double log_uniform(Random& random, double low, double high)
+{
+    return low * std::pow(high / low, uniform(random));
+}
+Vec3 random_direction(Random& random);
+Vec3 random_in_box(Random& random, double half);
+
+/// x as the precision holds it. volatile: GCC 12's vectorizer drops the way to float and back for two neighbours.
+template <typename P>
+double to_real(double x)
+{
+    const volatile typename P::real r = static_cast<typename P::real>(x);
+    return r;
+}
+template <typename P>
+Vec3 to_real(Vec3 v)
+{
+    return {to_real<P>(v.x), to_real<P>(v.y), to_real<P>(v.z)};
+}
+
+/// The direction in the core's own precision if its length is 1 to half an ulp, so that the core's renormalization
+/// leaves it as it is.
+template <typename P>
+std::optional<Vec3> exact_direction(Vec3 d)
+{
+    const Vec3 r = to_real<P>(scene::unit(d));
+    const Quad defect = 1 - (Quad(r.x) * r.x + Quad(r.y) * r.y + Quad(r.z) * r.z);
+    if (defect >= Quad(P::u) || defect <= -Quad(P::u)) return std::nullopt;
+    return r;
+}
+
+/// The square root in any type, Quad too (Newton's method, from long double).
+template <typename W>
+W root(W x)
+{
+    if (!(x > 0)) return 0;
+    W s = std::sqrt(static_cast<long double>(x));
+    for (int i = 0; i < 2; i++) s = (s + x / s) / 2;
+    return s;
+}
+
+// Rays and pictures through the native core.
+struct Hit {
+    double t = 0;
+    Vec3 p, n;
+    u32 object = vacuum, before = vacuum, after = vacuum;
+    u32 left = MEMBER_NONE;
+    bool beyond_inside = false;
+};
+
+struct Path {
+    Vec3 o, d;
+    u32 left = MEMBER_NONE;
+    bool left_inside = false;
+};
+
+template <typename P>
+std::optional<Hit> next_hit(const Native& scene, const Path& path, const std::vector<u32>& inside, Stats& stats)
+{
+    const NativeRay ray{{path.o.x, path.o.y, path.o.z}, {path.d.x, path.d.y, path.d.z}, path.left, path.left_inside};
+    NativeSurface s{};
+    if (P::surface(&scene.buffers, &ray, inside.data(), static_cast<u32>(inside.size()), &s, stats.data()) == 0)
+        return std::nullopt;
+    return Hit{s.t,      {s.p[0], s.p[1], s.p[2]}, {s.n[0], s.n[1], s.n[2]}, s.object, s.before, s.after, s.left,
+               s.beyond_inside != 0};
+}
+
+/// The path on the other side of the surface, in direction d; or on this side.
+inline Path beyond(const Hit& hit, Vec3 d)
+{
+    return {hit.p, d, hit.left, hit.beyond_inside};
+}
+inline Path back(const Hit& hit, Vec3 d)
+{
+    return {hit.p, d, hit.left, !hit.beyond_inside};
+}
+
+/// The normal on the side that d comes from.
+inline Vec3 facing(const Hit& hit, Vec3 d)
+{
+    return scene::dot(hit.n, d) > 0 ? -hit.n : hit.n;
+}
+
+/// The direction after a mirror, computed in long double and rounded once.
+template <typename P>
+Vec3 mirrored(Vec3 d, Vec3 n)
+{
+    const long double k = 2 * (static_cast<long double>(d.x) * n.x + static_cast<long double>(d.y) * n.y +
+                               static_cast<long double>(d.z) * n.z);
+    long double x = d.x - k * n.x, y = d.y - k * n.y, z = d.z - k * n.z;
+    const long double s = 1 / std::sqrt(x * x + y * y + z * z);
+    return to_real<P>({static_cast<double>(x * s), static_cast<double>(y * s), static_cast<double>(z * s)});
+}
+
+template <typename P>
+Rgb trace(const Native& scene, Vec3 o, Vec3 d, Stats& stats)
+{
+    const NativeRay ray{{o.x, o.y, o.z}, {d.x, d.y, d.z}, MEMBER_NONE, 0};
+    double rgb[3];
+    P::trace(&scene.buffers, &ray, rgb, stats.data());
+    return {rgb[0], rgb[1], rgb[2]};
+}
+
+/// What `sky rgb` shows, read back as the direction it stands for.
+inline Vec3 direction_of(const Rgb& sky)
+{
+    return {2 * sky.r - 1, 2 * sky.g - 1, 1 - 2 * sky.b};
+}
+
+struct Image {
+    unsigned width = 0, height = 0;
+    std::vector<float> rgba;
+    Stats stats{};
+    Rgb at(unsigned x, unsigned y) const
+    {
+        const float* p = rgba.data() + 4 * (std::size_t{y} * width + x);
+        return {p[0], p[1], p[2]};
+    }
+};
+
+template <typename P>
+Image render(const Scene& scene, View view)
+{
+    const Native native(scene, view);
+    Image image{view.width, view.height, std::vector<float>(std::size_t{4} * view.width * view.height), {}};
+    P::render(&native.buffers, 0, 0, view.width, view.height, 0, view.samples, image.rgba.data(), image.stats.data());
+    return image;
+}
+
+bool same_bits(const Image& a, const Image& b);
+double rmse(const Image& a, const Image& b);
+
+} // namespace clucida::test
