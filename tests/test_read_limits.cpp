@@ -2,9 +2,8 @@
 #include "test_read_support.h"
 
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
+#include <fmt/format.h>
 
 namespace clucida::scene::test {
 namespace {
@@ -31,13 +30,17 @@ void expect_message(const std::string& text, const std::string& part, Format for
     EXPECT_LT(time.count(), 20) << "seconds";
 }
 
+std::string nested(const std::string& open, std::size_t depth)
+{
+    return fmt::format("{}solid a = {}{}", head, repeated(open, depth), unit);
+}
+
 /// Solids that double in size with every definition.
 std::string doubling(std::size_t definitions)
 {
     std::string text = head + "solid s0 = " + unit + "\n";
     for (std::size_t i = 1; i <= definitions; ++i) {
-        const std::string before = "s" + std::to_string(i - 1);
-        text += "solid s" + std::to_string(i) + " = " + before + " | " + before + "\n";
+        text += fmt::format("solid s{0} = s{1} | s{1}\n", i, i - 1);
     }
     return text;
 }
@@ -56,8 +59,8 @@ TEST(ReadLimits, NestingEndsAt256WhateverItIsMadeOf)
 {
     EXPECT_NO_THROW(read(head + "solid a = " + repeated("!", 255) + unit));
     for (const char* open : {"!", "(", "scale(2, ", "move([0,0,0], ", "(sphere([0,0,0],1)|"}) {
-        expect_message(head + "solid a = " + repeated(open, 257) + unit, "nested more than 256 deep");
-        expect_message(head + "solid a = " + repeated(open, 1'000'000) + unit, "nested more than 256 deep");
+        expect_message(nested(open, 257), "nested more than 256 deep");
+        expect_message(nested(open, 1'000'000), "nested more than 256 deep");
     }
     expect_message(head + "solid a = " + unit + repeated(" - " + unit, 1000), "nested more than 256 deep");
 }
