@@ -102,6 +102,7 @@ void check_primitive(const SolidPtr& solid, unsigned rays)
     Random random(20160729);
     Worst worst;
     Stats stats{};
+    if (std::is_same_v<P, Double>) rays /= 8; // the expected values take 113 bits, in software
     for (unsigned i = 0; i < rays; i++) {
         const Vec3 o = to_real<P>(random_direction(random) * log_uniform(random, 1e-2, 1e6));
         const std::optional<Vec3> d = exact_direction<P>(random_in_box(random, 1.25) - o);
@@ -119,8 +120,6 @@ void check_primitive(const SolidPtr& solid, unsigned rays)
     EXPECT_LT(worst.unsure, rays / 200);
     expect_sound(stats);
     ::testing::Test::RecordProperty("worst_error_units", std::to_string(worst.error));
-    std::printf("  worst error %.2f normal %.2f length %.2f hits %u misses %u unsure %u\n", worst.error, worst.normal,
-                worst.length, worst.hits, worst.misses, worst.unsure);
 }
 
 constexpr unsigned many = 200000, some = 30000;
@@ -134,6 +133,11 @@ SolidPtr ellipsoid()
 
 TYPED_TEST(KernelsPrimitives, APlaneIsMetWhereItIs) { check_primitive<TypeParam>(plane({0, 0, .25}, {.6, 0, .8}), many); }
 TYPED_TEST(KernelsPrimitives, ASphereIsMetWhereItIs) { check_primitive<TypeParam>(sphere({0, 0, 0}, 1), many); }
+TYPED_TEST(KernelsPrimitives, ASphereBesideTheEyeIsMetWhereItIs)
+{
+    // The centre is no 0, so that taking it from a far origin rounds.
+    check_primitive<TypeParam>(sphere({.4375, -.3125, .1875}, 1), some);
+}
 TYPED_TEST(KernelsPrimitives, ACylinderIsMetWhereItIs)
 {
     check_primitive<TypeParam>(solid(scene::Cylinder{{0, 0, 0}, {.3, .4, .5}}), many);
