@@ -87,6 +87,7 @@ std::vector<Device> list_devices()
 std::vector<DeviceInfo> infos(const std::vector<Device>& devices)
 {
     std::vector<DeviceInfo> out;
+    out.reserve(devices.size());
     for (const Device& d : devices) out.push_back(d.info);
     return out;
 }

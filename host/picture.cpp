@@ -64,7 +64,7 @@ std::vector<std::uint16_t> develop_16(const Picture& picture, Transfer transfer)
     std::vector<std::uint16_t> out(picture.rgb.size());
     std::transform(picture.rgb.begin(), picture.rgb.end(), out.begin(), [transfer](float value) {
         const double x = value > 0 ? std::min(double{value}, 1.0) : 0.0;
-        return static_cast<std::uint16_t>((transfer == Transfer::srgb ? srgb_encode(x) : x) * 65535 + 0.5);
+        return static_cast<std::uint16_t>(std::lround((transfer == Transfer::srgb ? srgb_encode(x) : x) * 65535));
     });
     return out;
 }

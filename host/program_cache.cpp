@@ -63,7 +63,7 @@ std::optional<std::string> load_cached(const std::filesystem::path& folder, cons
 {
     try {
         std::string content = read_file(file_of(folder, key));
-        const std::size_t header = magic.size() + 2 * 65;
+        const std::size_t header = magic.size() + std::size_t{2} * 65;
         if (content.size() <= header) return std::nullopt;
         std::string binary = content.substr(header);
         if (content.compare(0, header, header_of(key, binary)) != 0) return std::nullopt;

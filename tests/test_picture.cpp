@@ -40,8 +40,8 @@ TEST(Development, bytes_are_srgb_rounded_to_nearest_for_every_number)
     const auto bytes = develop_8(p, Transfer::srgb);
     const auto linear = develop_8(p, Transfer::linear);
     for (std::size_t i = 0; i < p.rgb.size(); ++i) {
-        ASSERT_EQ(bytes[i], static_cast<int>(srgb_encode(p.rgb[i]) * 255 + 0.5)) << p.rgb[i];
-        ASSERT_EQ(linear[i], static_cast<int>(double{p.rgb[i]} * 255 + 0.5)) << p.rgb[i];
+        ASSERT_EQ(bytes[i], std::lround(srgb_encode(p.rgb[i]) * 255)) << p.rgb[i];
+        ASSERT_EQ(linear[i], std::lround(double{p.rgb[i]} * 255)) << p.rgb[i];
     }
 }
 
@@ -61,7 +61,7 @@ TEST(Development, what_lies_beyond_is_clamped_and_what_is_no_number_is_black)
 
 TEST(Development, srgb_encodes_and_decodes_to_the_same)
 {
-    for (int i = 0; i < 65536; ++i) EXPECT_EQ(static_cast<int>(srgb_encode(srgb_decode(i / 65535.)) * 65535 + 0.5), i);
+    for (int i = 0; i < 65536; ++i) EXPECT_EQ(std::lround(srgb_encode(srgb_decode(i / 65535.)) * 65535), i);
 }
 
 TEST(PictureFile, integer_formats_come_back_with_the_bytes_they_were_given)
