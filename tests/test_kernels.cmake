@@ -4,3 +4,4 @@ target_link_libraries(native_scene PUBLIC clucida_scene clucida_native GTest::gt
 clucida_test(test_kernels_primitives test_kernels_primitives.cpp LIBS native_scene)
 clucida_test(test_kernels_booleans test_kernels_booleans.cpp LIBS native_scene)
 clucida_test(test_kernels_lenses test_kernels_lenses.cpp LIBS native_scene)
+clucida_test(test_kernels_mirrors test_kernels_mirrors.cpp LIBS native_scene)

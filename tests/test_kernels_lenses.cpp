@@ -1,0 +1,274 @@
+// Refraction against closed forms: lenses, prisms, rainbows, plates, the critical angle, Fresnel's weights.
+#include "native_scene.h"
+
+#include <numbers>
+
+namespace clucida::test {
+namespace {
+
+using scene::dot;
+constexpr double degree = std::numbers::pi / 180;
+
+template <typename P>
+class KernelsLenses : public ::testing::Test {};
+TYPED_TEST_SUITE(KernelsLenses, Precisions, PrecisionNames);
+
+/// A ray on its way through glass of one index, object 0, in vacuum.
+template <typename P>
+struct Walker {
+    const Native& scene;
+    double index;
+    Path path;
+    std::vector<u32> inside{};
+    Stats stats{};
+
+    Hit meet()
+    {
+        const auto hit = next_hit<P>(scene, path, inside, stats);
+        EXPECT_TRUE(hit.has_value());
+        return hit.value_or(Hit{});
+    }
+    bool refract()
+    {
+        const Hit hit = meet();
+        const Vec3 n = facing(hit, path.d);
+        const double w = inside.empty() ? 1 / index : index;
+        double out[3], reflectance = 0;
+        const double d[3]{path.d.x, path.d.y, path.d.z}, normal[3]{n.x, n.y, n.z};
+        if (P::refract(d, normal, w, out, &reflectance) == 0) return false;
+        path = beyond(hit, {out[0], out[1], out[2]});
+        inside.assign(inside.empty() ? 1 : 0, 0U);
+        return true;
+    }
+    void reflect()
+    {
+        const Hit hit = meet();
+        path = back(hit, mirrored<P>(path.d, hit.n));
+    }
+};
+
+Scene glass(SolidPtr solid, double index)
+{
+    Scene scene = empty_scene();
+    scene.sky = scene::SkyRgb{};
+    add(scene, std::move(solid), clear(index));
+    return scene;
+}
+
+TYPED_TEST(KernelsLenses, ABallLensFocusesWhereItMust)
+{
+    using P = TypeParam;
+    const Native ball(glass(sphere({0, 0, 0}, 1), 1.5));
+    const std::pair<double, double> heights[]{
+        {.01, 1.4999583327}, {.1, 1.4958270631}, {.5, 1.3915729489}, {.9, 1.1044455684}};
+    for (const auto& [h, crossing] : heights) {
+        const double height = to_real<P>(h);
+        Walker<P> ray{ball, 1.5, {{-3, height, 0}, {1, 0, 0}}};
+        ASSERT_TRUE(ray.refract() && ray.refract());
+        const double x = ray.path.o.x - ray.path.o.y * ray.path.d.x / ray.path.d.y;
+        // The angle of the exit is off by some units; crossing the axis divides that by the height.
+        EXPECT_NEAR(x, crossing, 16 * P::u / h + 1e-10);
+        expect_sound(ray.stats);
+    }
+}
+
+TYPED_TEST(KernelsLenses, APrismAtMinimumDeviationDeviatesByTheBooksAngle)
+{
+    using P = TypeParam;
+    const double s = std::sqrt(3) / 2; // a roof of 60 degrees over z = 0, its edge along y
+    const Native prism(glass(solid(scene::Intersection{{plane({0, 0, 1}, {s, 0, .5}), plane({0, 0, 1}, {-s, 0, .5}),
+                                                        plane({0, 0, 0}, {0, 0, -1})}}),
+                             1.5));
+    // Inside along x: it comes up on the left by half of the deviation.
+    const double half = .5 * 37.1807557815 * degree;
+    const Vec3 d{std::cos(half), 0, std::sin(half)};
+    Walker<P> ray{prism, 1.5, {Vec3{-.25, 0, .5} - d * 2, d}};
+    ASSERT_TRUE(ray.refract() && ray.refract());
+    const double deviation = std::atan2(d.z, d.x) - std::atan2(ray.path.d.z, ray.path.d.x);
+    // Four normals and directions, each off by up to two units; at the minimum the incidence itself does not count.
+    EXPECT_NEAR(deviation, 37.1807557815 * degree, 16 * P::u + 1e-12);
+    const Rgb seen = trace<P>(prism, Vec3{-.25, 0, .5} - d * 2, d, ray.stats);
+    EXPECT_NEAR(direction_of(seen).x, ray.path.d.x, 8 * P::u);
+    EXPECT_NEAR(direction_of(seen).z, ray.path.d.z, 8 * P::u);
+    expect_sound(ray.stats);
+}
+
+TYPED_TEST(KernelsLenses, RainbowsStandAtTheirAngles)
+{
+    using P = TypeParam;
+    const double index = to_real<Float>(4.0 / 3);
+    const Native drop(glass(sphere({0, 0, 0}, 1), index));
+    const std::tuple<int, double, double> bows[]{{1, 59.3911023403, 42.0296588657}, {2, 71.8319712427, 50.9780935257}};
+    for (const auto& [reflections, incidence, angle] : bows) {
+        Walker<P> ray{drop, index, {{-3, to_real<P>(std::sin(incidence * degree)), 0}, {1, 0, 0}}};
+        ASSERT_TRUE(ray.refract());
+        for (int k = 0; k < reflections; k++) ray.reflect();
+        ASSERT_TRUE(ray.refract());
+        // From the antisolar point: the sun shines along x, and the drop is seen in the direction back.
+        const double seen = std::atan2(std::fabs(ray.path.d.y), -ray.path.d.x);
+        // The index is a float (1.2e-8 off 4/3 at most), which moves the bows by less than 4e-8.
+        EXPECT_NEAR(seen, angle * degree, 32 * P::u + 4e-8);
+        expect_sound(ray.stats);
+    }
+}
+
+TYPED_TEST(KernelsLenses, APlaneParallelPlateShiftsARayAndKeepsItsDirection)
+{
+    using P = TypeParam;
+    const Native plate(glass(cuboid({0, 0, 0}, {0, 0, 1}), 1.5));
+    const Vec3 d = to_real<P>(Vec3{std::sin(60 * degree), 0, -std::cos(60 * degree)});
+    Walker<P> ray{plate, 1.5, {{-1, 0, 1}, d}};
+    ASSERT_TRUE(ray.refract() && ray.refract());
+    EXPECT_LE(scene::length(ray.path.d - scene::unit(d)), 4 * P::u);
+    const Vec3 off = ray.path.o - Vec3{-1, 0, 1};
+    EXPECT_NEAR(scene::length(off - d * dot(off, d)), .5124720132, 16 * P::u + 1e-10);
+    expect_sound(ray.stats);
+}
+
+TYPED_TEST(KernelsLenses, TheCriticalAngleIsRightBeyondTwoUnitsInSine)
+{
+    using P = TypeParam;
+    const double critical = to_real<P>(1 / 1.5L);
+    for (int k = -50; k <= 50; k++) {
+        const long double sine = critical + k * static_cast<long double>(P::u);
+        if (std::fabs(static_cast<double>(sine - 2 / 3.0L)) <= 2 * P::u) continue;
+        const auto cosine = static_cast<double>(std::sqrt(1 - sine * sine));
+        const double d[3]{static_cast<double>(sine), 0, -cosine}, n[3]{0, 0, 1};
+        double out[3], reflectance;
+        EXPECT_EQ(P::refract(d, n, 1.5, out, &reflectance), sine < 2 / 3.0L ? 1 : 0) << k;
+    }
+}
+
+TYPED_TEST(KernelsLenses, TheWorldAboveWaterLiesInSnellsWindow)
+{
+    using P = TypeParam;
+    Scene scene = glass(plane({0, 0, 1}, {0, 0, 1}), 4.0 / 3);
+    scene.sky = scene::SkyColor{{1, 1, 1}};
+    add(scene, plane({0, 0, -1}, {0, 0, 1}), Optics{}); // the ground, black
+    std::swap(scene.objects[0], scene.objects[1]);
+    View view;
+    view.width = 2;
+    view.height = 2;
+    for (const double off : {-1e-5, 1e-5}) {
+        const double angle = 48.5903778907 * degree + off;
+        auto& eye = std::get<scene::Pinhole>(scene.observer);
+        eye.look = {std::sin(angle), 0, std::cos(angle)};
+        eye.up = {0, 1, 0};
+        eye.fov = 1e-6;
+        const Image image = render<P>(scene, view);
+        EXPECT_EQ(image.at(0, 0), off < 0 ? (Rgb{1, 1, 1}) : (Rgb{0, 0, 0}));
+        expect_sound(image.stats);
+    }
+}
+
+TYPED_TEST(KernelsLenses, FresnelsEquationsGiveTheBooksValues)
+{
+    using P = TypeParam;
+    double out[3], reflectance = 0;
+    const double down[3]{0, 0, -1}, n[3]{0, 0, 1};
+    ASSERT_EQ(P::refract(down, n, 1 / 1.5, out, &reflectance), 1);
+    EXPECT_NEAR(reflectance, .04, 4 * P::u * .04 + .04 * P::u * 4);
+    const double brewster = 56.3099324740 * degree;
+    const double d[3]{std::sin(brewster), 0, -std::cos(brewster)};
+    ASSERT_EQ(P::refract(d, n, 1 / 1.5, out, &reflectance), 1);
+    EXPECT_NEAR(reflectance, .1479289941 / 2, 16 * P::u + 1e-10); // no p-polarised light is reflected
+    // Grazing, everything reflects; at an index of 1 nothing does.
+    const double along[3]{1, 0, 0};
+    ASSERT_EQ(P::refract(along, n, 1 / 1.5, out, &reflectance), 1);
+    EXPECT_EQ(reflectance, 1);
+    ASSERT_EQ(P::refract(d, n, 1, out, &reflectance), 1);
+    EXPECT_EQ(reflectance, 0);
+    for (int i = 0; i < 3; i++) EXPECT_EQ(out[i], to_real<P>(d[i]));
+}
+
+TYPED_TEST(KernelsLenses, RefractedDirectionsObeySnellsLaw)
+{
+    using P = TypeParam;
+    Random random(7);
+    for (int i = 0; i < 20000; i++) {
+        const Vec3 d = to_real<P>(random_direction(random));
+        Vec3 n = to_real<P>(random_direction(random));
+        if (dot(d, n) > 0) n = -n;
+        const double w = to_real<P>(log_uniform(random, .4, 2.5));
+        const double din[3]{d.x, d.y, d.z}, nin[3]{n.x, n.y, n.z};
+        double out[3], reflectance;
+        const Vec3 across = scene::cross(d, n) * w; // sin of the angle of refraction, and its plane
+        const double sine = scene::length(across);
+        const bool passes = P::refract(din, nin, w, out, &reflectance) != 0;
+        if (std::fabs(sine - 1) < 8 * P::u) continue;
+        ASSERT_EQ(passes, sine < 1) << sine;
+        if (!passes) continue;
+        const Vec3 o{out[0], out[1], out[2]};
+        // n and d are unit to half a unit each component, which w passes on, near the critical angle by more.
+        const double tolerance = 8 * P::u * (1 + w);
+        EXPECT_LE(scene::length(scene::cross(o, n) - across), tolerance);
+        EXPECT_NEAR(dot(o, o), 1, 4 * P::u);
+        EXPECT_LE(dot(o, n), 0);
+        EXPECT_GE(reflectance, 0);
+        EXPECT_LE(reflectance, 1);
+    }
+}
+
+TYPED_TEST(KernelsLenses, AReversedPathOfTenHopsComesBack)
+{
+    using P = TypeParam;
+    const Native ball(glass(sphere({0, 0, 0}, 1), 1.5));
+    const Vec3 start{-3, .3125, .1875};
+    Walker<P> ray{ball, 1.5, {start, {1, 0, 0}}};
+    ASSERT_TRUE(ray.refract());
+    for (int k = 0; k < 7; k++) ray.reflect();
+    ASSERT_TRUE(ray.refract());
+    // Turn round a little off the ball, as from a mirror there.
+    Walker<P> back{ball, 1.5, {to_real<P>(ray.path.o + ray.path.d), -ray.path.d}};
+    ASSERT_TRUE(back.refract());
+    for (int k = 0; k < 7; k++) back.reflect();
+    ASSERT_TRUE(back.refract());
+    const Vec3 off = back.path.o - start;
+    // Each of twenty events adds some units of angle, which travel over chords of up to two radii.
+    EXPECT_LE(scene::length(back.path.d - Vec3{-1, 0, 0}), 400 * P::u);
+    EXPECT_LE(std::hypot(off.y, off.z), 800 * P::u);
+    expect_sound(back.stats);
+}
+
+TYPED_TEST(KernelsLenses, AThousandTotalReflectionsStayInTheirPlaneAndAngle)
+{
+    using P = TypeParam;
+    const Native ball(glass(sphere({0, 0, 0}, 1), 1.5));
+    for (const double angle : {60.0, 89.9}) {
+        const double a = angle * degree;
+        Walker<P> ray{ball, 1.5, {{0, 0, to_real<P>(std::sin(a))}, {1, 0, 0}}, {0U}};
+        double worst = 0, out_of_plane = 0;
+        for (int k = 0; k < 1000; k++) {
+            const Hit hit = ray.meet();
+            ASSERT_EQ(hit.after, vacuum) << "after " << k;
+            const double cosine = std::fabs(dot(hit.n, ray.path.d));
+            worst = std::max(worst, std::fabs(std::atan2(scene::length(scene::cross(hit.n, ray.path.d)), cosine) - a));
+            out_of_plane = std::max(out_of_plane, std::fabs(hit.p.y));
+            ray.path = back(hit, mirrored<P>(ray.path.d, hit.n));
+        }
+        EXPECT_LE(worst, 1e-5 * P::u / Float::u + 1e-13); // 168 units
+        EXPECT_LE(out_of_plane, 1e-4 * P::u / Float::u);
+        expect_sound(ray.stats);
+    }
+}
+
+TYPED_TEST(KernelsLenses, LightCaughtInABallIsTracedToTheLastHop)
+{
+    using P = TypeParam;
+    Scene scene = glass(sphere({0, 0, 0}, 1), 1.5);
+    scene.sky = scene::SkyColor{{1, 1, 1}};
+    scene.settings.max_hops = 1001;
+    scene.observer = scene::Pinhole{{0, 0, .875}, {1, 0, .875}, {0, 0, 1}, 1e-6};
+    View view;
+    view.width = view.height = 1;
+    const Image image = render<P>(scene, view);
+    EXPECT_EQ(image.at(0, 0), (Rgb{0, 0, 0}));
+    EXPECT_EQ(image.stats[STAT_RAYS], 1001U);
+    EXPECT_EQ(image.stats[STAT_REFLECTED], 1000U);
+    EXPECT_EQ(image.stats[STAT_HOP_BRANCHES], 1U);
+    EXPECT_EQ(image.stats[STAT_TRUNCATED], 65536U);
+    expect_sound(image.stats);
+}
+
+} // namespace
+} // namespace clucida::test
