@@ -129,6 +129,7 @@ def night_sky(d):
     sky = sky + (band * step(0.38, 0.75, gas))[..., None] * np.array([210, 90, 130.0])
     sky = sky + (band * step(0.4, 0.75, other))[..., None] * np.array([50, 120, 215.0])
     sky = sky + (band**2 * step(0.5, 0.8, gas * 0.5 + other * 0.5))[..., None] * np.array([200, 180, 150.0])
+    sky = 235 * (1 - np.exp(-sky / 330))
     height, width = d.shape[:2]
     for _ in range(1500):
         z = rng.uniform(-1, 1)
