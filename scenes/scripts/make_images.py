@@ -146,7 +146,7 @@ def night_sky(d):
 
 
 def label(width=1024, height=512):
-    """The label of a can, once around it."""
+    """The label of a can, once around it; upside down, for the linear mapping's v grows along the axis."""
     picture = Image.new("RGB", (width, height), (196, 30, 38))
     draw = ImageDraw.Draw(picture)
     for y, color in ((0, (240, 225, 190)), (34, (30, 60, 90)), (height - 60, (30, 60, 90)), (height - 26, (240, 225, 190))):
@@ -158,7 +158,7 @@ def label(width=1024, height=512):
         draw.text((x, 235), "snell", font=font, fill=(196, 30, 38), anchor="mm")
         draw.text((x, 325), "REFRACTED FRUIT", font=small, fill=(30, 60, 90), anchor="mm")
         draw.text((x, 150), "n = 1.33", font=small, fill=(30, 60, 90), anchor="mm")
-    return np.asarray(picture, float)
+    return np.asarray(picture, float)[::-1]
 
 
 def tiles(size=256):
