@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace clucida::host {
 namespace {
 
@@ -142,7 +144,8 @@ TEST(Tiling, a_group_fits_what_device_and_kernel_can_take)
 TEST(Tiling, a_tile_is_whole_groups_within_budget_and_memory)
 {
     const Shape picture{1920, 1080}, group{16, 4};
-    for (double seconds = 1e-9; seconds < 1; seconds *= 3) {
+    for (int power = -9; power < 1; ++power) {
+        const double seconds = 0.7 * std::pow(10, power);
         const Shape tile = choose_tile(picture, group, seconds, 0.25, 1U << 20);
         EXPECT_EQ(tile.width % group.width, 0U);
         EXPECT_EQ(tile.height % group.height, 0U);
