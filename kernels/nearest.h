@@ -14,13 +14,14 @@ typedef struct {
     Crossing crossings[INTERFACE_CAPACITY];
 } Interface;
 
-/* Whether the bounding sphere is met between parameters from and to. Its radius has the host's margin. */
-static inline int bound_met(__global const LayoutObject* object, const Line* line, real from, real to)
+/* Whether the bounding sphere is met between ray parameters from and to; distance: make_line's. The radius has the
+ * host's margin. */
+static inline int bound_met(__global const LayoutObject* object, const Line* line, real distance, real from, real to)
 {
     const real radius = R(object->radius);
     if (!is_finite(radius)) return 1;
-    return dot3(line->base, line->base) <= radius * radius && from <= radius - line->start &&
-           to >= -line->start - radius;
+    const real middle = -dot3(line->origin, line->d) / line->dd;
+    return distance <= radius * radius && from <= middle + radius && to >= middle - radius;
 }
 
 static inline void interface_add(Interface* face, u32 id, Crossing crossing, real err)
@@ -58,8 +59,9 @@ static inline int nearest_interface(World* world, const Ray* ray, real x, real e
     for (u32 id = 0; id < count; id++) {
         __global const LayoutObject* object = &world->objects[id];
         const int inside = interior_has(interior, id);
-        const Line line = make_line(ray, load_vec(object->center));
-        if (!inside && !bound_met(object, &line, x - err, face->t + err)) continue;
+        real distance;
+        const Line line = make_line(ray, object, &distance);
+        if (!inside && !bound_met(object, &line, distance, x - err, face->t + err)) continue;
         COUNT(world, STAT_TESTS);
         Crossing crossing;
         if (object_crossing(world, object, &line, x, err, inside, &crossing))
@@ -78,8 +80,9 @@ static inline int is_hidden(World* world, const Ray* ray, real distance)
     COUNT(world, STAT_SHADOW);
     for (u32 id = 0; id < count; id++) {
         __global const LayoutObject* object = &world->objects[id];
-        const Line line = make_line(ray, load_vec(object->center));
-        if (!bound_met(object, &line, R(0), distance)) continue;
+        real offset;
+        const Line line = make_line(ray, object, &offset);
+        if (!bound_met(object, &line, offset, R(0), distance)) continue;
         COUNT(world, STAT_TESTS);
         Crossing crossing;
         if (object_crossing(world, object, &line, R(0), ray->err, 0, &crossing) &&

@@ -33,7 +33,8 @@ static inline void observer_branch(World* world, u32 i, u32 j, u32 sample, Branc
     for (u32 k = 0; k < f->start_count; k++) {
         const u32 id = world->starts[k];
         __global const LayoutObject* object = &world->objects[id];
-        const Line line = make_line(&branch->ray, load_vec(object->center));
+        real distance;
+        const Line line = make_line(&branch->ray, object, &distance);
         if (object_holds_start(world, object, &line)) interior_toggle(world, &branch->interior, id);
     }
 }

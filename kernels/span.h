@@ -1,8 +1,7 @@
 /* What a solid holds of a line: one interval, or all but one interval.
  *
- * Parameters are lengths along the line from its base, the point nearest to the object's centre, so that a solid far
- * away is seen as sharply as a near one. Each end knows its face (the primitive) and its slope, 1/cos of the angle
- * of incidence: a point that is wrong by e puts the end wrong by e * slope. */
+ * Parameters are lengths along the line from its base (csg.h chooses it). Each end knows its face (the primitive) and
+ * its slope, 1/cos of the angle of incidence: a point that is wrong by e puts the end wrong by e * slope. */
 #ifndef CLUCIDA_SPAN_H
 #define CLUCIDA_SPAN_H
 
@@ -12,6 +11,7 @@ typedef struct {
     vec base, d; /* base relative to the object's centre */
     vec origin;  /* the ray's origin, relative to the centre too */
     real start;  /* parameter of the ray's origin */
+    real err;    /* of the origin: Ray's */
     real dd;     /* |d|^2 */
     u32 left;
     int left_inside;
@@ -73,7 +73,7 @@ static inline Span span_left(const Line* line, real a, real other, real slope)
     s = between ? make_span(line->start, line->start + other, slope, a > R(0))
                 : make_span(line->start + other, line->start, slope, a > R(0));
     /* The deflated root is good to a few units of itself: never mistake it for the start. */
-    const real cap = R(0.25f) * fabs(other) / (line_error(line, line->start) + UNIT_ROUNDOFF * fabs(other));
+    const real cap = R(0.25f) * fabs(other) / (line_error(line, line->start) + line->err);
     if (between)
         s.slope_hi = fmin(slope, cap);
     else

@@ -18,17 +18,19 @@ typedef struct {
     int beyond_inside; /* whether the far side is the primitive's inside */
 } Surface;
 
+/* shared: other boundaries were crossed here, or on the way: the ray goes on as near to them as they were known. */
 static inline Surface make_surface(const World* world, const Ray* ray, u32 id, Crossing crossing, int shared,
                                    u32 before, u32 after)
 {
     Surface s;
-    const vec center = load_vec(world->objects[id].center);
-    const Line line = make_line(ray, center);
+    real distance;
+    const Line line = make_line(ray, &world->objects[id], &distance);
     vec p = along(line.base, line.d, line.start + crossing.t);
     s.n = member_normal(world, crossing.face, &p);
-    s.p = add(center, p);
+    s.p = add(load_vec(world->objects[id].center), p);
     s.t = crossing.t;
     s.err = position_error(s.p, R(0)) + (shared ? position_error(ray->o, crossing.t) : R(0));
+    if (crossing.t <= R(64) * ray->err) s.err += ray->err; /* not clear yet of what lay about the start */
     s.object = id;
     s.before = before;
     s.after = after;
@@ -57,14 +59,15 @@ static inline int next_surface(World* world, const Ray* ray, Interior* interior,
             u32 i = 0;
             while (i + 1 < face.count && face.ids[i] != shown) i++;
             if (face.crossings[i].face != MEMBER_NONE) {
-                *surface = make_surface(world, ray, shown, face.crossings[i], face.count > 1, before, after);
+                *surface =
+                    make_surface(world, ray, shown, face.crossings[i], face.count > 1 || step > 0, before, after);
                 return 1;
             }
         }
         COUNT(world, STAT_SILENT);
         interior_copy(interior, beyond);
         x = face.t;
-        err = position_error(ray->o, x);
+        err = fmax(ray->err, position_error(ray->o, x));
     }
     COUNT(world, STAT_STUCK);
     return 0;
