@@ -166,27 +166,23 @@ static inline real next_end(const Line* line, const Span* spans, u32 count, real
 }
 #endif
 
-/* The ray in the object's frame; *distance is that of its line from the centre, squared. From far off (measured by the
- * bound) the line's base is its point nearest to the centre, so that the object is seen sharply; else it is the ray's
- * origin itself, so that what lies on a surface stays there. */
-static inline Line make_line(const Ray* ray, __global const LayoutObject* object, real* distance)
+/* The ray in the object's frame. From far off (measured by the bound) the line's base is its point nearest to the
+ * centre, so that the object is seen sharply; else it is the ray's origin itself, so that what lies on a surface stays
+ * there. */
+static inline Line make_line(const Ray* ray, __global const LayoutObject* object)
 {
     const real far = R(8) * R(object->radius);
     Line line;
     line.d = ray->d;
     line.dd = dot3(ray->d, ray->d);
-    line.origin = sub(ray->o, load_vec(object->center));
+    line.origin = line.base = sub(ray->o, load_vec(object->center));
+    line.start = R(0);
     line.err = ray->err;
     line.left = ray->left;
     line.left_inside = ray->left_inside;
-    const vec k = cross_exact(line.origin, ray->d);
-    *distance = dot3(k, k) / line.dd;
     if (dot3(line.origin, line.origin) > far * far) {
-        line.base = scaled(cross_exact(ray->d, k), R(1) / line.dd);
+        line.base = scaled(cross_exact(ray->d, cross_exact(line.origin, ray->d)), R(1) / line.dd);
         line.start = dot3(line.origin, ray->d) / line.dd;
-    } else {
-        line.base = line.origin;
-        line.start = R(0);
     }
     return line;
 }

@@ -14,14 +14,16 @@ typedef struct {
     Crossing crossings[INTERFACE_CAPACITY];
 } Interface;
 
-/* Whether the bounding sphere is met between ray parameters from and to; distance: make_line's. The radius has the
- * host's margin. */
-static inline int bound_met(__global const LayoutObject* object, const Line* line, real distance, real from, real to)
+/* Whether the object's bounding sphere is met between ray parameters from and to. Conservative: the radius has the
+ * host's margin, and grows here by what rounding may do to a sphere that is far away. */
+static inline int bound_met(__global const LayoutObject* object, const Ray* ray, real from, real to)
 {
-    const real radius = R(object->radius);
-    if (!is_finite(radius)) return 1;
-    const real middle = -dot3(line->origin, line->d) / line->dd;
-    return distance <= radius * radius && from <= middle + radius && to >= middle - radius;
+    if (!is_finite(R(object->radius))) return 1;
+    const vec c = sub(load_vec(object->center), ray->o);
+    const real middle = dot3(c, ray->d); /* |d| is 1 to within rounding */
+    const vec offset = along(c, ray->d, -middle);
+    const real radius = R(object->radius) + R(8) * UNIT_ROUNDOFF * fabs(middle);
+    return dot3(offset, offset) <= radius * radius && from <= middle + radius && to >= middle - radius;
 }
 
 static inline void interface_add(Interface* face, u32 id, Crossing crossing, real err)
@@ -59,10 +61,9 @@ static inline int nearest_interface(World* world, const Ray* ray, real x, real e
     for (u32 id = 0; id < count; id++) {
         __global const LayoutObject* object = &world->objects[id];
         const int inside = interior_has(interior, id);
-        real distance;
-        const Line line = make_line(ray, object, &distance);
-        if (!inside && !bound_met(object, &line, distance, x - err, face->t + err)) continue;
+        if (!inside && !bound_met(object, ray, x - err, face->t + err)) continue;
         COUNT(world, STAT_TESTS);
+        const Line line = make_line(ray, object);
         Crossing crossing;
         if (object_crossing(world, object, &line, x, err, inside, &crossing))
             interface_add(face, id, crossing, position_error(ray->o, crossing.t));
@@ -80,10 +81,9 @@ static inline int is_hidden(World* world, const Ray* ray, real distance)
     COUNT(world, STAT_SHADOW);
     for (u32 id = 0; id < count; id++) {
         __global const LayoutObject* object = &world->objects[id];
-        real offset;
-        const Line line = make_line(ray, object, &offset);
-        if (!bound_met(object, &line, offset, R(0), distance)) continue;
+        if (!bound_met(object, ray, R(0), distance)) continue;
         COUNT(world, STAT_TESTS);
+        const Line line = make_line(ray, object);
         Crossing crossing;
         if (object_crossing(world, object, &line, R(0), ray->err, 0, &crossing) &&
             crossing.t + crossing.slope * err < distance)

@@ -33,8 +33,7 @@ static inline void observer_branch(World* world, u32 i, u32 j, u32 sample, Branc
     for (u32 k = 0; k < f->start_count; k++) {
         const u32 id = world->starts[k];
         __global const LayoutObject* object = &world->objects[id];
-        real distance;
-        const Line line = make_line(&branch->ray, object, &distance);
+        const Line line = make_line(&branch->ray, object);
         if (object_holds_start(world, object, &line)) interior_toggle(world, &branch->interior, id);
     }
 }

@@ -23,8 +23,7 @@ static inline Surface make_surface(const World* world, const Ray* ray, u32 id, C
                                    u32 before, u32 after)
 {
     Surface s;
-    real distance;
-    const Line line = make_line(ray, &world->objects[id], &distance);
+    const Line line = make_line(ray, &world->objects[id]);
     vec p = along(line.base, line.d, line.start + crossing.t);
     s.n = member_normal(world, crossing.face, &p);
     s.p = add(load_vec(world->objects[id].center), p);

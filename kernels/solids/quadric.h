@@ -17,6 +17,15 @@ static inline real quadric_slope(__global const LayoutQuadric* q, vec x, real ha
     return sqrt(dot3(g, g)) / fabs(half_derivative);
 }
 
+static inline real quadric_value(__global const LayoutQuadric* q, vec x)
+{
+    Sum sum = {R(q->w), R(0)};
+    sum_product(&sum, R(q->s[0]) * x.x, x.x);
+    sum_product(&sum, R(q->s[1]) * x.y, x.y);
+    sum_product(&sum, fma(R(q->s[2]), x.z, R(-2) * R(q->g)), x.z);
+    return sum_value(sum);
+}
+
 /* Leading coefficient: q along d. */
 static inline real quadric_leading(__global const LayoutQuadric* q, vec d)
 {
@@ -62,6 +71,7 @@ static inline Span quadric_span(__global const LayoutQuadric* q, const Line* lin
     const vec o = sub(line->base, c);
     const vec k = apply(q->cof, cross_exact(o, line->d));
     const real discriminant = quadric_discriminant(q, d, k);
+    if (!(discriminant > R(0)) && a != R(0)) return a < R(0) ? span_everything() : span_nothing();
 
     /* A, B, C at the line's point nearest to the frame's origin. */
     const real dd = dot3(d, d);
@@ -69,11 +79,7 @@ static inline Span quadric_span(__global const LayoutQuadric* q, const Line* lin
     const vec x = scaled(cross_exact(d, k), R(1) / dd);
     const vec gradient = quadric_half_gradient(q, x);
     const real b = dot3(gradient, d);
-    Sum sum = {R(q->w), R(0)};
-    sum_product(&sum, R(q->s[0]) * x.x, x.x);
-    sum_product(&sum, R(q->s[1]) * x.y, x.y);
-    sum_product(&sum, fma(R(q->s[2]), x.z, R(-2) * R(q->g)), x.z);
-    const real value = sum_value(sum);
+    const real value = quadric_value(q, x);
 
     if (!(discriminant > R(0))) return value < R(0) ? span_everything() : span_nothing();
     const real root = sqrt(discriminant);
@@ -97,15 +103,10 @@ static inline Span quadric_span(__global const LayoutQuadric* q, const Line* lin
 static inline vec quadric_normal(__global const LayoutQuadric* q, vec* p)
 {
     const vec x = apply(q->m, sub(*p, load_vec(q->c)));
-    const vec gradient = quadric_half_gradient(q, x);
-    Sum sum = {R(q->w), R(0)};
-    sum_product(&sum, R(q->s[0]) * x.x, x.x);
-    sum_product(&sum, R(q->s[1]) * x.y, x.y);
-    sum_product(&sum, fma(R(q->s[2]), x.z, R(-2) * R(q->g)), x.z);
-    const vec g = apply_transposed(q->m, gradient);
+    const vec g = apply_transposed(q->m, quadric_half_gradient(q, x));
     const real gg = dot3(g, g);
     if (!(gg > R(0))) return make_vec(R(0), R(0), R(1));
-    *p = along(*p, g, R(-0.5f) * sum_value(sum) / gg);
+    *p = along(*p, g, R(-0.5f) * quadric_value(q, x) / gg);
     return renormalized(scaled(g, R(1) / sqrt(gg)));
 }
 
