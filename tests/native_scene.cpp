@@ -29,7 +29,7 @@ Scene empty_scene()
 Scene parse(const std::string& statements, const std::string& folder)
 {
     std::string text = "clucida 1\n";
-    if (statements.find("observer") == std::string::npos) text += "observer { eye 0*[1,1,1]; look [0,1,0] }\n";
+    if (statements.find("observer") == std::string::npos) text += "observer { eye [0,0,0]; look [0,1,0] }\n";
     return scene::read_scene(text + statements, "test", scene::Format::clucida, folder);
 }
 

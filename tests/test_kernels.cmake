@@ -5,3 +5,6 @@ clucida_test(test_kernels_primitives test_kernels_primitives.cpp LIBS native_sce
 clucida_test(test_kernels_booleans test_kernels_booleans.cpp LIBS native_scene)
 clucida_test(test_kernels_lenses test_kernels_lenses.cpp LIBS native_scene)
 clucida_test(test_kernels_mirrors test_kernels_mirrors.cpp LIBS native_scene)
+clucida_test(test_kernels_images test_kernels_images.cpp LIBS native_scene)
+clucida_test(test_kernels_light test_kernels_light.cpp LIBS native_scene)
+clucida_test(test_kernels_texture test_kernels_texture.cpp LIBS native_scene)
