@@ -25,7 +25,7 @@ HEAD = """\
 # Look for seams: the walls between bricks show as a change of color only, never as gaps.
 # Written by scripts/make_bricks.py.
 clucida 1
-observer { eye [-14, -32, 17]; look [0.2, -0.6, 2.2]; fov 22 }
+observer { eye [-14, -32, 17]; look [0.2, -1.1, 1.7]; fov 23.5 }
 sky gradient { low [0.84, 0.83, 0.8]; middle [0.84, 0.83, 0.8]; high [0.4, 0.6, 0.95] }
 """
 

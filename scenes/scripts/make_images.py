@@ -120,7 +120,6 @@ def cloudy_sky(d):
 
 
 def night_sky(d):
-    rng = np.random.default_rng(14)
     warp = np.stack([fractal(d * 1.2 + k * 11, 15, 5) for k in range(3)], axis=-1) - 0.5
     gas = fractal(d * 1.6 + 1.6 * warp + 50, 16, 8, 0.55)
     other = fractal(d * 1.9 + 1.4 * warp + 90, 17, 8, 0.55)
@@ -129,20 +128,35 @@ def night_sky(d):
     sky = sky + (band * step(0.38, 0.75, gas))[..., None] * np.array([210, 90, 130.0])
     sky = sky + (band * step(0.4, 0.75, other))[..., None] * np.array([50, 120, 215.0])
     sky = sky + (band**2 * step(0.5, 0.8, gas * 0.5 + other * 0.5))[..., None] * np.array([200, 180, 150.0])
-    sky = 235 * (1 - np.exp(-sky / 330))
-    height, width = d.shape[:2]
-    for _ in range(1500):
+    return 235 * (1 - np.exp(-sky / 330))
+
+
+def with_stars(sky):
+    """Adds stars to a night sky; those near the poles are as wide as the picture is stretched there."""
+    rng = np.random.default_rng(14)
+    height, width = sky.shape[:2]
+    for _ in range(5000):
         z = rng.uniform(-1, 1)
         row, column = int(np.arccos(z) / np.pi * height), rng.integers(width)
         tint = np.array([[255, 225, 190.0], [220, 230, 255.0], [255, 255, 250.0]][rng.integers(3)])
-        strength = 0.25 + 0.9 * rng.random() ** 6
-        reach = max(1, int(round(1 / max(0.08, np.sqrt(1 - z * z)))))
-        for k in range(reach):
-            sky[row, (column + k) % width] += strength * tint
-        if strength > 0.7:
-            for r, c in ((1, 0), (-1, 0), (0, reach), (0, -1)):
-                sky[(row + r) % height, (column + c) % width] += 0.45 * strength * tint
+        strength = 0.3 + 1.5 * rng.random() ** 8
+        reach = 1 / max(0.05, np.sqrt(1 - z * z))
+        for r in range(-3, 4):
+            for c in range(-int(3 * reach), int(3 * reach) + 1):
+                glow = strength * np.exp(-(r * r + (c / reach) ** 2) / (0.35 + 0.6 * strength))
+                sky[(row + r) % height, (column + c) % width] += glow * tint
     return sky
+
+
+def in_strips(make, width, height, rows=64):
+    """The picture that `make` paints of its directions, a few rows at a time."""
+    d = directions(width, height)
+    return np.concatenate([make(d[y : y + rows]) for y in range(0, height, rows)])
+
+
+def enlarged(picture, width, height):
+    channels = [Image.fromarray(picture[..., c].astype(np.float32)) for c in range(3)]
+    return np.stack([np.asarray(c.resize((width, height), Image.BICUBIC), float) for c in channels], axis=-1)
 
 
 def label(width=1024, height=512):
@@ -194,8 +208,9 @@ def main():
     save(sea_and_land(globe), folder / "planet.jpg", quality=88)
     save(gas_giant(globe), folder / "giant.jpg", quality=88)
     save(cratered(globe), folder / "moon.jpg", quality=82)
-    save(cloudy_sky(directions(2048, 1024)), folder / "clouds.jpg", quality=86)
-    save(night_sky(directions(2048, 1024)), folder / "night.jpg", quality=76)
+    save(in_strips(cloudy_sky, 3072, 1536), folder / "clouds.jpg", quality=86)
+    night = enlarged(in_strips(night_sky, 1024, 512), 4096, 2048)
+    save(with_stars(night), folder / "night.jpg", quality=74)
     save(label(), folder / "label.png", optimize=True)
     save(tiles(), folder / "tiles.png", optimize=True)
     save(wood(), folder / "wood.jpg", quality=86)
