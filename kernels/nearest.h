@@ -5,7 +5,7 @@
 #include "kernels/csg.h"
 #include "kernels/interior.h"
 
-/* Boundaries crossed as one. More than fit are met again at once by the next search. */
+/* Boundaries crossed as one, the nearest at t. More than fit are met again at once by the next search. */
 #define INTERFACE_CAPACITY 6
 typedef struct {
     real t;
@@ -26,22 +26,26 @@ static inline int bound_met(__global const LayoutObject* object, const Ray* ray,
     return dot3(offset, offset) <= radius * radius && from <= middle + radius && to >= middle - radius;
 }
 
+/* Whether rounding cannot tell crossing c, no nearer than the interface, from it. */
+static inline int coincides(const Interface* face, Crossing c, real err)
+{
+    return c.t - c.slope * err <= face->t;
+}
+
 static inline void interface_add(Interface* face, u32 id, Crossing crossing, real err)
 {
     if (crossing.t < face->t) {
-        /* The new nearest goes first; what no longer coincides with it goes away. */
-        u32 kept = 0;
-        for (u32 i = 0; i < face->count; i++) {
-            const Crossing c = face->crossings[i];
-            if (c.t - c.slope * err <= crossing.t && kept < INTERFACE_CAPACITY - 1) {
-                face->ids[kept] = face->ids[i];
-                face->crossings[kept] = c;
-                kept++;
-            }
-        }
+        /* The new nearest goes last; what no longer coincides with it goes away. */
+        const u32 before = face->count;
         face->t = crossing.t;
-        face->count = kept;
-    } else if (!(crossing.t - crossing.slope * err <= face->t) || face->count == INTERFACE_CAPACITY) {
+        face->count = 0;
+        for (u32 i = 0; i < before && face->count < INTERFACE_CAPACITY - 1; i++) {
+            if (!coincides(face, face->crossings[i], err)) continue;
+            face->ids[face->count] = face->ids[i];
+            face->crossings[face->count] = face->crossings[i];
+            face->count++;
+        }
+    } else if (face->count == INTERFACE_CAPACITY || !coincides(face, crossing, err)) {
         return;
     }
     face->ids[face->count] = id;

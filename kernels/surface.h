@@ -18,9 +18,9 @@ typedef struct {
     int beyond_inside; /* whether the far side is the primitive's inside */
 } Surface;
 
-/* shared: other boundaries were crossed here, or on the way: the ray goes on as near to them as they were known. */
-static inline Surface make_surface(const World* world, const Ray* ray, u32 id, Crossing crossing, int shared,
-                                   u32 before, u32 after)
+/* err: how far the point may lie from other boundaries that were crossed here, or on the way. */
+static inline Surface make_surface(const World* world, const Ray* ray, u32 id, Crossing crossing, real err, u32 before,
+                                   u32 after)
 {
     Surface s;
     const Line line = make_line(ray, &world->objects[id]);
@@ -28,8 +28,7 @@ static inline Surface make_surface(const World* world, const Ray* ray, u32 id, C
     s.n = member_normal(world, crossing.face, &p);
     s.p = add(load_vec(world->objects[id].center), p);
     s.t = crossing.t;
-    s.err = position_error(s.p, R(0)) + (shared ? position_error(ray->o, crossing.t) : R(0));
-    if (crossing.t <= R(64) * ray->err) s.err += ray->err; /* not clear yet of what lay about the start */
+    s.err = position_error(s.p, R(0)) + err;
     s.object = id;
     s.before = before;
     s.after = after;
@@ -40,6 +39,9 @@ static inline Surface make_surface(const World* world, const Ray* ray, u32 id, C
     s.beyond_inside = s.entering != ((crossing.face & MEMBER_INVERSE) != 0u);
     return s;
 }
+
+/* A ray is clear of what lay within err of its start after this many times err, but for the most grazing. */
+#define CLEAR R(64)
 
 /* From the ray's start to the next surface. interior is that of the start; it becomes that just before the surface,
  * and beyond that just after. Returns 0 if the ray meets no surface any more. */
@@ -52,21 +54,24 @@ static inline int next_surface(World* world, const Ray* ray, Interior* interior,
         if (!nearest_interface(world, ray, x, err, interior, &face)) return 0;
         interior_copy(beyond, interior);
         for (u32 i = 0; i < face.count; i++) interior_toggle(world, beyond, face.ids[i]);
+        const real here = position_error(ray->o, face.t);
         const u32 before = medium_of(interior), after = medium_of(beyond);
         if (before != after) {
             const u32 shown = before < after ? before : after;
             u32 i = 0;
             while (i + 1 < face.count && face.ids[i] != shown) i++;
             if (face.crossings[i].face != MEMBER_NONE) {
-                *surface =
-                    make_surface(world, ray, shown, face.crossings[i], face.count > 1 || step > 0, before, after);
+                const real shared = face.count > 1 || step > 0 ? here + (face.crossings[i].t - face.t) : R(0);
+                const real left = face.t - x <= CLEAR * err ? err : R(0);
+                *surface = make_surface(world, ray, shown, face.crossings[i], fmax(shared, left), before, after);
                 return 1;
             }
         }
         COUNT(world, STAT_SILENT);
         interior_copy(interior, beyond);
+        /* What lay about the last place counts as passed until it is clear of. */
+        err = face.t - x <= CLEAR * err ? fmax(err, here) : here;
         x = face.t;
-        err = fmax(ray->err, position_error(ray->o, x));
     }
     COUNT(world, STAT_STUCK);
     return 0;
