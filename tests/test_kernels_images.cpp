@@ -1,7 +1,7 @@
 // Whole pictures that must be equal: scenes scaled, moved, mirrored, permuted, cut into flush pieces, or invisible.
 #include "native_scene.h"
 
-#include <numbers>
+#include <fmt/format.h>
 
 namespace clucida::test {
 namespace {
@@ -19,13 +19,6 @@ View view_of(unsigned width, unsigned height)
 }
 const View small = view_of(64, 48);
 
-std::string number(double x)
-{
-    char text[40];
-    std::snprintf(text, sizeof text, "(%.17g)", x);
-    return text;
-}
-
 /// "@[x, y, z]" becomes [s*(x), s*(y), s*(z)], "+[x, y, z]" has m added to each.
 std::string with_vectors(std::string text)
 {
@@ -36,9 +29,11 @@ std::string with_vectors(std::string text)
         }
         const char* m = text[at] == '+' ? " + m" : "";
         const std::size_t a = text.find(',', at), b = text.find(',', a + 1), end = text.find(']', b);
-        std::string vector = "[s*(" + text.substr(at + 2, a - at - 2) + ")" + m;
-        vector += ", s*(" + text.substr(a + 1, b - a - 1) + ")" + m + ", s*(" + text.substr(b + 1, end - b - 1) + ")";
-        vector += m + "]";
+        const auto component = [&](std::size_t from, std::size_t to) {
+            return fmt::format("s*({}){}", text.substr(from, to - from), m);
+        };
+        const std::string vector =
+            fmt::format("[{}, {}, {}]", component(at + 2, a), component(a + 1, b), component(b + 1, end));
         text.replace(at, end + 1 - at, vector);
     }
     return text;
@@ -47,7 +42,7 @@ std::string with_vectors(std::string text)
 /// Mirrors, glass and lit chalk; all lengths times s, all moved by m along x, y and z; x mirrored if flip is -1.
 std::string still_life(double s, double m, int flip)
 {
-    return "let s = " + number(s) + "\nlet f = " + std::to_string(flip) + "\nlet m = " + number(m) + with_vectors(R"(
+    return fmt::format("let s = {}\nlet f = {}\nlet m = {}", s, flip, m) + with_vectors(R"(
         settings { hops 8 }
         observer { eye +[0, -6, 2]; look +[0, 0, 0.5]; fov 40 }
         sky gradient { low 0.1; middle [0.5, 0.6, 0.8]; high [0.1, 0.2, 0.6] }
@@ -115,7 +110,7 @@ TYPED_TEST(KernelsImages, ThePictureDoesNotDependOnTheAxesNames)
             out += text.substr(i, open - i);
             const std::string x = text.substr(open + 1, a - open - 1), y = text.substr(a + 1, b - a - 1),
                               z = text.substr(b + 1, close - b - 1);
-            out += "[" + (color ? x + "," + y + "," + z : z + "," + x + "," + y) + "]";
+            out += color ? fmt::format("[{},{},{}]", x, y, z) : fmt::format("[{},{},{}]", z, x, y);
             i = close + 1;
         }
         return parse(out);
