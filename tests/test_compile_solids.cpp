@@ -115,7 +115,7 @@ TEST(CompileSolids, BoundsHoldTheirSolids)
         if (!(bound.radius < scene::unbounded)) continue;
         bounded++;
         for (int k = 0; k < 300; k++) {
-            const Vec3 p = random_in_box(random, 4);
+            const Vec3 p = bound.center + random_in_box(random, 1.25 * bound.radius);
             if (!tree.holds(p)) continue;
             held++;
             ASSERT_LE(length(p - bound.center), bound.radius * (1 + 1e-9)) << "tree " << i;

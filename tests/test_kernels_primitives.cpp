@@ -48,6 +48,7 @@ Expected<W> expected(const Leaf<W>& leaf, const Wide3<W>& o, const Wide3<W>& d, 
 
 struct Worst {
     double error = 0, normal = 0, length = 0;
+    double error_from = 1e30, normal_from = 1e30, flip_from = 1e30; ///< the least distance of what is wrong
     unsigned hits = 0, misses = 0, unsure = 0, flips = 0, wrong_side = 0;
 };
 
@@ -64,7 +65,9 @@ void compare(const Native& scene, const Leaf<typename P::Wide>& leaf, Vec3 o, Ve
     }
     const std::vector<u32> inside(e.inside ? 1 : 0, 0U);
     const std::optional<Hit> hit = next_hit<P>(scene, {o, d}, inside, stats);
+    const double distance = clucida::scene::length(o);
     if (hit.has_value() != e.hit) {
+        worst.flip_from = std::min(worst.flip_from, distance);
         if (worst.flips++ < 3)
             ADD_FAILURE() << (e.hit ? "missed" : "invented") << " at t = "
                           << static_cast<double>(e.hit ? e.t : W(hit->t)) << std::hexfloat << " from " << o.x << ' '
@@ -85,6 +88,8 @@ void compare(const Native& scene, const Leaf<typename P::Wide>& leaf, Vec3 o, Ve
     // A gradient that fades, as at a cone's apex, knows its direction less well.
     const double normal = static_cast<double>(root(dot(turned, turned)) * std::min<W>(1, magnitude(steep) / size) /
                                               W(P::u));
+    if (error > 8) worst.error_from = std::min(worst.error_from, distance);
+    if (normal > 16) worst.normal_from = std::min(worst.normal_from, distance);
     worst.error = std::max(worst.error, error);
     worst.normal = std::max(worst.normal, normal);
     worst.length = std::max(worst.length, static_cast<double>(magnitude(root(dot(n, n)) - 1) / W(P::u)));
@@ -111,10 +116,10 @@ void check_primitive(const SolidPtr& solid, unsigned rays)
         else
             i--;
     }
-    EXPECT_LE(worst.error, 8) << "units of error x cos";
-    EXPECT_LE(worst.normal, 16) << "units of the normal's direction";
+    EXPECT_LE(worst.error, 8) << "units of error x cos, wrong from a distance of " << worst.error_from << " on";
+    EXPECT_LE(worst.normal, 16) << "units of the normal's direction, from " << worst.normal_from << " on";
     EXPECT_LE(worst.length, 2) << "units of the normal's length";
-    EXPECT_EQ(worst.flips, 0U);
+    EXPECT_EQ(worst.flips, 0U) << "from a distance of " << worst.flip_from << " on";
     EXPECT_EQ(worst.wrong_side, 0U);
     EXPECT_GT(worst.hits, rays / 8);
     EXPECT_LT(worst.unsure, rays / 200);
