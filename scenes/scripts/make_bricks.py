@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes bricks.clu: a step pyramid and four towers of transparent toy bricks, and a few bricks lying about.
+"""Writes bricks.clu: a step pyramid and six towers of transparent toy bricks, and a few bricks lying about.
 
 Sizes are in units of the pitch of the studs. Usage: make_bricks.py > ../bricks.clu
 """
@@ -25,7 +25,7 @@ HEAD = """\
 # Look for seams: the walls between bricks show as a change of color only, never as gaps.
 # Written by scripts/make_bricks.py.
 clucida 1
-observer { eye [-14, -32, 17]; look [0.2, -1.1, 1.7]; fov 23.5 }
+observer { eye [-14, -32, 17]; look [0.2, -0.6, 2.1]; fov 24.5 }
 sky gradient { low [0.84, 0.83, 0.8]; middle [0.84, 0.83, 0.8]; high [0.4, 0.6, 0.95] }
 """
 
@@ -84,9 +84,9 @@ def main():
             color = ramp[layer + random.choice((0, 0, 0, 0, 1))]
             put(x - side / 2, y - side / 2, layer * HEIGHT, nx, ny, color)
     print("# the towers")
-    for corner, (x, y) in enumerate(((-9, -8), (7, -8), (7, 6), (-9, 6))):
-        for layer in range(4):
-            put(x, y, layer * HEIGHT, 2, 2, "clear" if layer % 2 else ramp[(corner * 2 + layer) % 7])
+    for corner, (x, y) in enumerate(((-9, -8), (7, -8), (7, 6), (-9, 6), (-9, -1), (7, -1))):
+        for layer in range((3, 4, 5, 5, 5, 5)[corner]):
+            put(x, y, layer * HEIGHT, 2, 2, "clear" if layer % 3 == 2 else ramp[(corner * 2 + layer) % 7])
     print("# and a few that lie about")
     for x, y, nx, ny, color, degrees in (
         (-4.2, -11, 4, 2, "red", 20),
