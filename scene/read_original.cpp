@@ -1,5 +1,6 @@
 /// The original program's two texts, gun (2016) and rayt: bare numbers and words, in a fixed order.
 #include "scene/limits.h"
+#include "scene/pack.h"
 #include "scene/read_common.h"
 
 #include <algorithm>
@@ -299,16 +300,23 @@ decltype(Solid::node) Reader::primitive(std::string_view word, std::vector<Locat
     return cuboid;
 }
 
+/// rayt keeps filters as bytes, and decodes those as sRGB when they are emitted.
+Rgb as_emitted(Rgb c)
+{
+    const auto channel = [](double v) { return srgb_decode(rounded_to_byte(v)); };
+    return {channel(c.r), channel(c.g), channel(c.b)};
+}
+
 std::size_t Reader::optics()
 {
     Optics o;
     o.at = words_.here();
     o.reflection = filter("the reflection");
     o.absorption = filter("the absorption");
-    const Location at = words_.here();
     o.index = words_.number("the index of refraction");
-    if (gun() && o.index < 0) source_.fail(at, "expected an index of 0 or above: a gun text knows no emission");
+    if (gun()) o.index = std::max(o.index, 0.0); // the author's own texts write -1 for opaque
     o.refraction = filter("the refraction");
+    if (o.index < 0) o.refraction = as_emitted(o.refraction);
     o.passthrough = filter("the passthrough");
     const std::array<double, 13> key{o.reflection.r,  o.reflection.g,  o.reflection.b, o.absorption.r, o.absorption.g,
                                      o.absorption.b,  o.index,         o.refraction.r, o.refraction.g, o.refraction.b,

@@ -121,5 +121,21 @@ TEST(ReadOriginal, TheFilesEndingTellsTheFormat)
     EXPECT_EQ(read_scene_file((data_folder() / "full.rayt").string()).objects.size(), 9U);
 }
 
+TEST(ReadGun, ANegativeIndexIsOpaqueAsInTheAuthorsOwnTexts)
+{
+    const Scene scene =
+        read("0 -5 0  0 0 0  1 0 0  0 0 -1  1 0 0  sphere 0 0 0 1  0 0 0  1 1 1  -1  0 0 0  1 1 1  rgb 0", Format::gun);
+    EXPECT_EQ(scene.optics[0].index, 0);
+}
+
+TEST(ReadRayt, AnEmittedColourIsDecodedFromItsByteAsSrgb)
+{
+    const Scene scene =
+        read("0 -5 0  0 0 0  1 0 0  1  sphere 0 0 0 1 optics 0 0 0  0 0 0  -1  0.5 1 0  1 1 1  rgb 0", Format::rayt);
+    EXPECT_NEAR(scene.optics[0].refraction.r, std::pow((128 / 255.0 + 0.055) / 1.055, 2.4), 1e-12);
+    EXPECT_EQ(scene.optics[0].refraction.g, 1);
+    EXPECT_EQ(scene.optics[0].refraction.b, 0);
+}
+
 } // namespace
 } // namespace clucida::scene::test
