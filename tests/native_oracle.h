@@ -111,8 +111,7 @@ struct Primitive {
         } else if (p.a == 0 && p.b != 0) {
             push(-p.c / (2 * p.b));
         }
-        return magnitude(discriminant) > rounding * p.d_size &&
-               (p.a == 0 || magnitude(p.a) > rounding * p.a_size);
+        return magnitude(discriminant) > rounding * p.d_size && (p.a == 0 || magnitude(p.a) > rounding * p.a_size);
     }
 };
 
@@ -170,8 +169,7 @@ Leaf<W> leaf_of(const Native& scene, u32 id)
     Leaf<W> leaf;
     leaf.inverse = group.inverse != 0;
     for (u32 i = 0; i < group.count; i++)
-        leaf.members.push_back(
-            primitive_of<W>(scene, object, scene.items<u32>(BUFFER_MEMBERS)[group.begin + i]));
+        leaf.members.push_back(primitive_of<W>(scene, object, scene.items<u32>(BUFFER_MEMBERS)[group.begin + i]));
     return leaf;
 }
 

@@ -180,8 +180,8 @@ std::optional<Hit> next_hit(const Native& scene, const Path& path, const std::ve
     NativeSurface s{};
     if (P::surface(&scene.buffers, &ray, inside.data(), static_cast<u32>(inside.size()), &s, stats.data()) == 0)
         return std::nullopt;
-    return Hit{s.t,      {s.p[0], s.p[1], s.p[2]}, {s.n[0], s.n[1], s.n[2]}, s.object, s.before, s.after, s.left,
-               s.beyond_inside != 0};
+    return Hit{s.t,    {s.p[0], s.p[1], s.p[2]}, {s.n[0], s.n[1], s.n[2]}, s.object, s.before, s.after,
+               s.left, s.beyond_inside != 0};
 }
 
 /// The path on the other side of the surface, in direction d; or on this side.

@@ -29,7 +29,8 @@ TEST(CompileScene, ASceneNeedsWhatItHasAndNothingElse)
     EXPECT_EQ(with(cuboid({0, 5, 0}, {1, 1, 1})), feature_plane);
     EXPECT_EQ(with(solid(Cylinder{{0, 5, 0}, {1, 0, 0}})), feature_quadric);
     EXPECT_EQ(with(solid(Difference{ball, test::sphere({1, 5, 0}, 1)})), feature_sphere | feature_groups);
-    EXPECT_EQ(with(solid(Union{{ball, test::sphere({1, 5, 0}, 1)}})), feature_sphere | feature_groups | feature_program);
+    EXPECT_EQ(with(solid(Union{{ball, test::sphere({1, 5, 0}, 1)}})),
+              feature_sphere | feature_groups | feature_program);
     EXPECT_EQ(with(ball, clear(1.5)), feature_sphere | feature_transparent);
     EXPECT_EQ(with(ball, emitter({1, 1, 1})), feature_sphere | feature_emission);
     EXPECT_EQ(with(ball, mirror()), feature_sphere);
@@ -185,10 +186,11 @@ TEST(CompileScene, TheMemoryReportAddsUp)
     for (int i = 0; i < 40; i++) {
         const SolidPtr ball = test::sphere(random_in_box(random, 5), 1), tube = solid(Cylinder{{1, 2, 3}, {0, 0, 1}});
         const SolidPtr box = cuboid(random_in_box(random, 5), {1, 1, 1});
-        test::add(scene, i % 3 == 0   ? solid(Union{{ball, box, solid(Difference{tube, box})}})
-                   : i % 3 == 1 ? solid(Intersection{{ball, tube, box}})
-                                : complement(ball),
-            clear());
+        test::add(scene,
+                  i % 3 == 0   ? solid(Union{{ball, box, solid(Difference{tube, box})}})
+                  : i % 3 == 1 ? solid(Intersection{{ball, tube, box}})
+                               : complement(ball),
+                  clear());
     }
     const Compiled compiled = compile(scene, {});
     std::size_t reported = 0, stored = 0;
@@ -219,6 +221,23 @@ TEST(CompileScene, AFarObjectKeepsItsPlaceToTheRoundingOfItsSize)
             // The parts are of size 2; the difference of two doubles near 1e6 leaves 1e-10 itself.
             ASSERT_LE(length(got - expected[k]), 2 * 4 * Float::u + 1e-9) << i;
         }
+    }
+}
+
+TEST(CompileScene, AQuadricsCofactorsAreThoseOfTheMatrixThatIsStored)
+{
+    Random random(5);
+    for (int i = 0; i < 500; i++) {
+        const Vec3 axis = random_direction(random) * log_uniform(random, .01, 100);
+        Scene scene = empty_scene();
+        test::add(scene, solid(Transformed{Scale{{1, 2, .75}}, solid(Hyperboloid{{1, 2, 3}, axis, .3})}), clear());
+        const Native native(scene);
+        const LayoutQuadric& q = native.items<LayoutQuadric>(BUFFER_QUADRICS)[0];
+        const auto m = [&](int row, int column) { return static_cast<double>(q.m[3 * (row % 3) + column % 3]); };
+        for (int r = 0; r < 3; r++)
+            for (int c = 0; c < 3; c++)
+                ASSERT_FLOAT_EQ(q.cof[3 * r + c], static_cast<float>(m(r + 1, c + 1) * m(r + 2, c + 2) -
+                                                                     m(r + 1, c + 2) * m(r + 2, c + 1)));
     }
 }
 

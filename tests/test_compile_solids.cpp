@@ -29,12 +29,10 @@ Tree random_leaf(Random& random)
         return {cuboid(c, {r, 1, 2 * r}), [=](Vec3 p) {
                     return std::fabs(p.x - c.x) < r / 2 && std::fabs(p.y - c.y) < .5 && std::fabs(p.z - c.z) < r;
                 }};
-    case 2:
-        return {solid(scene::Cylinder{c, n * r}), [=](Vec3 p) { return length(scene::cross(p - c, n)) < r; }};
+    case 2: return {solid(scene::Cylinder{c, n * r}), [=](Vec3 p) { return length(scene::cross(p - c, n)) < r; }};
     case 3:
-        return {solid(scene::Cone{c, n * r}), [=](Vec3 p) {
-                    return length(scene::cross(p - c, n)) < std::fabs(dot(p - c, n)) / r;
-                }};
+        return {solid(scene::Cone{c, n * r}),
+                [=](Vec3 p) { return length(scene::cross(p - c, n)) < std::fabs(dot(p - c, n)) / r; }};
     case 4:
         return {solid(scene::Paraboloid{c, n * r}), [=](Vec3 p) {
                     const double z = dot(p - c, n), across = length(scene::cross(p - c, n));
@@ -48,16 +46,17 @@ Tree transformed(Random& random, const Tree& a)
 {
     const Vec3 by = random_in_box(random, 1);
     switch (random() % 3) {
-    case 0:
-        return {solid(scene::Transformed{scene::Move{by}, a.solid}), [=](Vec3 p) { return a.holds(p - by); }};
+    case 0: return {solid(scene::Transformed{scene::Move{by}, a.solid}), [=](Vec3 p) { return a.holds(p - by); }};
     case 1: {
         const Vec3 s{.5 + std::fabs(by.x), -.5 - std::fabs(by.y), .75};
-        return {solid(scene::Transformed{scene::Scale{s}, a.solid}),
-                [=](Vec3 p) { return a.holds({p.x / s.x, p.y / s.y, p.z / s.z}); }};
+        return {solid(scene::Transformed{scene::Scale{s}, a.solid}), [=](Vec3 p) {
+                    return a.holds({p.x / s.x, p.y / s.y, p.z / s.z});
+                }};
     }
     default: // right-handed about z by 90 degrees: x to y
-        return {solid(scene::Transformed{scene::Rotate{{0, 0, 2}, 90}, a.solid}),
-                [=](Vec3 p) { return a.holds({p.y, -p.x, p.z}); }};
+        return {solid(scene::Transformed{scene::Rotate{{0, 0, 2}, 90}, a.solid}), [=](Vec3 p) {
+                    return a.holds({p.y, -p.x, p.z});
+                }};
     }
 }
 
@@ -163,13 +162,12 @@ TEST(CompileSolids, SolidsThatEndHaveAFiniteBound)
 TEST(CompileSolids, SolidsWithoutEndHaveNoBound)
 {
     const SolidPtr slab = both({plane({0, 0, 1}, {0, 0, 1}), plane({0, 0, -1}, {0, 0, -1})});
-    for (const SolidPtr& s :
-         {plane({0, 0, 0}, {0, 0, 1}), slab, cuboid({0, 0, 0}, {1, 1, 0}), complement(sphere({0, 0, 0}, 1)),
-          solid(scene::Cylinder{{0, 0, 0}, {0, 0, 1}}),
-          both({solid(scene::Cylinder{{0, 0, 0}, {0, 0, 1}}), plane({0, 0, 0}, {0, 0, 1})}),
-          both({solid(scene::Cone{{0, 0, 0}, {0, 0, 1}}), plane({1, 0, 0}, {1, 0, 0})}),
-          solid(scene::Union{{sphere({0, 0, 0}, 1), plane({0, 0, 0}, {0, 0, 1})}}),
-          both({solid(scene::Paraboloid{{0, 0, 0}, {0, 0, 1}}), plane({1, 0, 0}, {1, 0, 0})})})
+    for (const SolidPtr& s : {plane({0, 0, 0}, {0, 0, 1}), slab, cuboid({0, 0, 0}, {1, 1, 0}),
+                              complement(sphere({0, 0, 0}, 1)), solid(scene::Cylinder{{0, 0, 0}, {0, 0, 1}}),
+                              both({solid(scene::Cylinder{{0, 0, 0}, {0, 0, 1}}), plane({0, 0, 0}, {0, 0, 1})}),
+                              both({solid(scene::Cone{{0, 0, 0}, {0, 0, 1}}), plane({1, 0, 0}, {1, 0, 0})}),
+                              solid(scene::Union{{sphere({0, 0, 0}, 1), plane({0, 0, 0}, {0, 0, 1})}}),
+                              both({solid(scene::Paraboloid{{0, 0, 0}, {0, 0, 1}}), plane({1, 0, 0}, {1, 0, 0})})})
         EXPECT_FALSE(radius_of(s) < scene::unbounded);
 }
 
@@ -294,8 +292,8 @@ TEST(CompileSolids, WhatIsTooLargeOrFlatIsAnErrorThatNamesItsPlace)
     for (int i = 0; i < 40; i++) doubled = solid(scene::Union{{doubled, doubled}});
     EXPECT_NE(error_of(doubled, at).find("too many"), std::string::npos);
     EXPECT_EQ(at.line, 7U);
-    const SolidPtr flat = scene::make_solid(
-        scene::Transformed{scene::Scale{{1e-15, 1e-15, 1e-15}}, sphere({0, 0, 0}, 1)}, {9, 2});
+    const SolidPtr flat =
+        scene::make_solid(scene::Transformed{scene::Scale{{1e-15, 1e-15, 1e-15}}, sphere({0, 0, 0}, 1)}, {9, 2});
     EXPECT_NE(error_of(flat, at).find("flattens"), std::string::npos);
     EXPECT_EQ(at.line, 9U);
     const SolidPtr nothing = scene::make_solid(scene::Cuboid{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 0, 0}}, {4, 2});

@@ -9,7 +9,8 @@ namespace clucida::test {
 namespace {
 
 template <typename P>
-class KernelsBooleans : public ::testing::Test {};
+class KernelsBooleans : public ::testing::Test {
+};
 TYPED_TEST_SUITE(KernelsBooleans, Precisions, PrecisionNames);
 
 using W = long double;
@@ -70,8 +71,7 @@ Tree random_tree(Random& random, const Pool& pool, int depth)
                 [a, b](const Point& p) { return a.holds(p) && b.holds(p); }};
     if (kind == 4)
         return {solid(scene::Union{{a.solid, b.solid}}), [a, b](const Point& p) { return a.holds(p) || b.holds(p); }};
-    return {solid(scene::Difference{a.solid, b.solid}),
-            [a, b](const Point& p) { return a.holds(p) && !b.holds(p); }};
+    return {solid(scene::Difference{a.solid, b.solid}), [a, b](const Point& p) { return a.holds(p) && !b.holds(p); }};
 }
 
 struct Event {
@@ -94,8 +94,8 @@ u32 medium(const std::vector<u32>& inside)
 }
 
 /// What a ray must meet; nothing if crossings lie so close, so far or so flat that rounding may decide.
-std::optional<std::vector<Event>> expected_events(const std::vector<Pool>& pools, const std::vector<Tree>& trees, const Point& o,
-                                                  const Point& d, std::vector<u32>& start)
+std::optional<std::vector<Event>> expected_events(const std::vector<Pool>& pools, const std::vector<Tree>& trees,
+                                                  const Point& o, const Point& d, std::vector<u32>& start)
 {
     std::vector<Root<W>> roots;
     for (const Pool& pool : pools)
@@ -233,7 +233,8 @@ std::vector<double> events_of(const SolidPtr& solid)
         Path path{o, d, MEMBER_NONE, false};
         std::vector<u32> inside;
         while (const std::optional<Hit> hit = next_hit<P>(native, path, inside, stats)) {
-            for (const double v : {hit->t, hit->p.x, hit->p.y, hit->p.z, hit->n.x, hit->n.y, hit->n.z}) all.push_back(v);
+            for (const double v : {hit->t, hit->p.x, hit->p.y, hit->p.z, hit->n.x, hit->n.y, hit->n.z})
+                all.push_back(v);
             inside.assign(inside.empty() ? 1 : 0, 0U);
             path = beyond(*hit, d);
         }

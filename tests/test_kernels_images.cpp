@@ -7,7 +7,8 @@ namespace clucida::test {
 namespace {
 
 template <typename P>
-class KernelsImages : public ::testing::Test {};
+class KernelsImages : public ::testing::Test {
+};
 TYPED_TEST_SUITE(KernelsImages, Precisions, PrecisionNames);
 
 View view_of(unsigned width, unsigned height)
@@ -177,15 +178,15 @@ TYPED_TEST(KernelsImages, ACameraWithinOrOnTheEdgeOfInvisibleGlassSeesTheSky)
     using P = TypeParam;
     expect_invisible<P>({sphere({0, 0, 0}, 1), sphere({0, 0, 0}, 2), cuboid({0, 0, 0}, {5, 6, 7})});
     expect_invisible<P>({complement(sphere({0, 5, 0}, 1)), complement(solid(scene::Cone{{0, 5, 0}, {0, 0, 1}}))});
-    expect_invisible<P>({cuboid({0, 1, 0}, {2, 2, 2})});                                   // on a face
-    expect_invisible<P>({cuboid({0, 0, 1}, {2, 2, 2})}, {0, 0, 0});                        // on the lower face
-    expect_invisible<P>({cuboid({1, 1, 1}, {2, 2, 2})});                                   // at a corner
-    expect_invisible<P>({sphere({0, 1, 0}, 1)});                                           // on a ball
-    expect_invisible<P>({solid(scene::Cone{{0, 0, 0}, {0, 0, 1}})});                       // at an apex
-    expect_invisible<P>({solid(scene::Cone{{0, 0, 0}, {0, 1, 0}})});                       // at an apex, looking in
-    expect_invisible<P>({solid(scene::Paraboloid{{0, 0, 0}, {0, .5, 0}})});                // at a vertex
+    expect_invisible<P>({cuboid({0, 1, 0}, {2, 2, 2})});                                     // on a face
+    expect_invisible<P>({cuboid({0, 0, 1}, {2, 2, 2})}, {0, 0, 0});                          // on the lower face
+    expect_invisible<P>({cuboid({1, 1, 1}, {2, 2, 2})});                                     // at a corner
+    expect_invisible<P>({sphere({0, 1, 0}, 1)});                                             // on a ball
+    expect_invisible<P>({solid(scene::Cone{{0, 0, 0}, {0, 0, 1}})});                         // at an apex
+    expect_invisible<P>({solid(scene::Cone{{0, 0, 0}, {0, 1, 0}})});                         // at an apex, looking in
+    expect_invisible<P>({solid(scene::Paraboloid{{0, 0, 0}, {0, .5, 0}})});                  // at a vertex
     expect_invisible<P>({sphere({0, 1, 0}, 1), sphere({0, 2, 0}, 2), sphere({0, 3, 0}, 3)}); // all touch here
-    expect_invisible<P>({cuboid({10.1, 21.2, 30.3}, {2, 2, 2})}, {10.1, 20.2, 30.3});      // on a face, elsewhere
+    expect_invisible<P>({cuboid({10.1, 21.2, 30.3}, {2, 2, 2})}, {10.1, 20.2, 30.3});        // on a face, elsewhere
 }
 
 TYPED_TEST(KernelsImages, ACameraOnAnOpaqueFaceSeesOutwardsOnly)
@@ -207,8 +208,7 @@ TYPED_TEST(KernelsImages, FlushBlocksOfOneIndexAreOneBlock)
         scene.sky = scene::SkyRgb{};
         scene.observer = scene::Pinhole{{1.3, -3, .7}, {0, 0, 0}, {0, 0, 1}, 40};
         const double width = 2.0 / pieces;
-        for (int i = 0; i < pieces; i++)
-            add(scene, cuboid({-1 + width * (i + .5), 0, 0}, {width, 1, 1}), clear(1.5));
+        for (int i = 0; i < pieces; i++) add(scene, cuboid({-1 + width * (i + .5), 0, 0}, {width, 1, 1}), clear(1.5));
         return scene;
     };
     const Image one = render<TypeParam>(scene(1), small), ten = render<TypeParam>(scene(10), small);
@@ -266,7 +266,7 @@ TYPED_TEST(KernelsImages, NothingLeaksThroughEdgesAndCorners)
     for (int i = 0; i < 20000; i++) {
         const auto side = [&] { return random() % 2 ? 1. : -1.; };
         const double along = i % 4 == 0 ? side() : uniform(random, -1, 1); // a corner, or somewhere on an edge
-        const Vec3 edge = (i % 3 == 0 ? x * along + y * side() + z * side()
+        const Vec3 edge = (i % 3 == 0   ? x * along + y * side() + z * side()
                            : i % 3 == 1 ? x * side() + y * along + z * side()
                                         : x * side() + y * side() + z * along);
         const Vec3 far = random_direction(random) * log_uniform(random, 3, 1000), near = random_in_box(random, .5);

@@ -10,7 +10,8 @@ using scene::dot;
 constexpr double degree = std::numbers::pi / 180;
 
 template <typename P>
-class KernelsLenses : public ::testing::Test {};
+class KernelsLenses : public ::testing::Test {
+};
 TYPED_TEST_SUITE(KernelsLenses, Precisions, PrecisionNames);
 
 /// A ray on its way through glass of one index, object 0, in vacuum.

@@ -9,7 +9,8 @@ namespace clucida::test {
 namespace {
 
 template <typename P>
-class KernelsLight : public ::testing::Test {};
+class KernelsLight : public ::testing::Test {
+};
 TYPED_TEST_SUITE(KernelsLight, Precisions, PrecisionNames);
 
 Optics optics_of(double reflection, double absorption, double index = 0, double refraction = 0)
@@ -49,8 +50,8 @@ TYPED_TEST(KernelsLight, ThePapersLawHoldsDownToTheTerminator)
     for (double a = 1; a > 5e-9; a *= .1) {
         const double cosine = to_real<P>(a);
         // acos(1 - a) is 2 asin(sqrt(a/2)), whose series in a long double has no cancellation.
-        const long double expected = 4 / std::numbers::pi_v<long double> *
-                                     std::asin(std::sqrt(static_cast<long double>(cosine) / 2));
+        const long double expected =
+            4 / std::numbers::pi_v<long double> * std::asin(std::sqrt(static_cast<long double>(cosine) / 2));
         EXPECT_NEAR(P::diffuse(LAW_PAPER, cosine, 1) / static_cast<double>(expected), 1, 6 * P::u) << a;
     }
     EXPECT_NEAR(P::diffuse(LAW_PAPER, 1, 5), 1, 2 * P::u);
@@ -183,8 +184,9 @@ TYPED_TEST(KernelsLight, TotalReflectionAddsTheFiltersUpToOne)
     const auto prism = [&](double reflection, double refraction) {
         scene.objects.clear();
         scene.optics.clear();
-        add(scene, solid(scene::Intersection{{plane({-1, 0, 0}, {-1, 0, 0}), plane({0, 0, -1}, {0, 0, -1}),
-                                              plane({0, 0, 0}, {s, 0, s})}}),
+        add(scene,
+            solid(scene::Intersection{
+                {plane({-1, 0, 0}, {-1, 0, 0}), plane({0, 0, -1}, {0, 0, -1}), plane({0, 0, 0}, {s, 0, s})}}),
             optics_of(reflection, 0, 1.5, refraction));
         return look<P>(scene, {-2, 0, -.5}, {1, 0, 0}).r;
     };

@@ -12,7 +12,8 @@ using scene::dot;
 using scene::length;
 
 template <typename P>
-class KernelsMirrors : public ::testing::Test {};
+class KernelsMirrors : public ::testing::Test {
+};
 TYPED_TEST_SUITE(KernelsMirrors, Precisions, PrecisionNames);
 
 /// Rays that miss: the seen direction is the ray's own.
@@ -83,7 +84,8 @@ TYPED_TEST(KernelsMirrors, AHyperbolicMirrorMapsOneFocusOntoTheOther)
 TYPED_TEST(KernelsMirrors, ACornerCubeSendsRaysBackExactly)
 {
     using P = TypeParam;
-    const Native corner(mirrors({plane({0, 0, 0}, {1, 0, 0}), plane({0, 0, 0}, {0, 1, 0}), plane({0, 0, 0}, {0, 0, 1})}));
+    const Native corner(
+        mirrors({plane({0, 0, 0}, {1, 0, 0}), plane({0, 0, 0}, {0, 1, 0}), plane({0, 0, 0}, {0, 0, 1})}));
     const Native sky(mirrors({}));
     Random random(2);
     Stats stats{};
@@ -121,9 +123,9 @@ TYPED_TEST(KernelsMirrors, ABoxOfMirrorsUnfoldsIntoALattice)
     Path path{o, start, MEMBER_NONE, false};
     Stats stats{};
     long double travelled = 0;
-    const long double size = std::sqrt(static_cast<long double>(start.x) * start.x +
-                                       static_cast<long double>(start.y) * start.y +
-                                       static_cast<long double>(start.z) * start.z);
+    const long double size =
+        std::sqrt(static_cast<long double>(start.x) * start.x + static_cast<long double>(start.y) * start.y +
+                  static_cast<long double>(start.z) * start.z);
     for (int k = 0; k < 100; k++) {
         const auto hit = next_hit<P>(room, path, {}, stats);
         ASSERT_TRUE(hit);

@@ -5,7 +5,8 @@ namespace clucida::test {
 namespace {
 
 template <typename P>
-class KernelsPrimitives : public ::testing::Test {};
+class KernelsPrimitives : public ::testing::Test {
+};
 TYPED_TEST_SUITE(KernelsPrimitives, Precisions, PrecisionNames);
 
 /// The event that must come first, or none; unsure where rounding may decide.
@@ -69,10 +70,10 @@ void compare(const Native& scene, const Leaf<typename P::Wide>& leaf, Vec3 o, Ve
     if (hit.has_value() != e.hit) {
         worst.flip_from = std::min(worst.flip_from, distance);
         if (worst.flips++ < 3)
-            ADD_FAILURE() << (e.hit ? "missed" : "invented") << " at t = "
-                          << static_cast<double>(e.hit ? e.t : W(hit->t)) << std::hexfloat << " from " << o.x << ' '
-                          << o.y << ' ' << o.z << " along " << d.x << ' ' << d.y << ' ' << d.z << " inside "
-                          << e.inside;
+            ADD_FAILURE() << (e.hit ? "missed" : "invented")
+                          << " at t = " << static_cast<double>(e.hit ? e.t : W(hit->t)) << std::hexfloat << " from "
+                          << o.x << ' ' << o.y << ' ' << o.z << " along " << d.x << ' ' << d.y << ' ' << d.z
+                          << " inside " << e.inside;
         return;
     }
     (e.hit ? worst.hits : worst.misses)++;
@@ -86,8 +87,8 @@ void compare(const Native& scene, const Leaf<typename P::Wide>& leaf, Vec3 o, Ve
     const W steep = root(dot(g, g)) * (leaf.inverse ? -1 : 1);
     const Wide3<W> turned{n[0] - g[0] / steep, n[1] - g[1] / steep, n[2] - g[2] / steep};
     // A gradient that fades, as at a cone's apex, knows its direction less well.
-    const double normal = static_cast<double>(root(dot(turned, turned)) * std::min<W>(1, magnitude(steep) / size) /
-                                              W(P::u));
+    const double normal =
+        static_cast<double>(root(dot(turned, turned)) * std::min<W>(1, magnitude(steep) / size) / W(P::u));
     if (error > 8) worst.error_from = std::min(worst.error_from, distance);
     if (normal > 16) worst.normal_from = std::min(worst.normal_from, distance);
     worst.error = std::max(worst.error, error);
@@ -129,15 +130,24 @@ void check_primitive(const SolidPtr& solid, unsigned rays)
 
 constexpr unsigned many = 200000, some = 30000;
 
-SolidPtr turned_cuboid() { return solid(scene::Cuboid{{0, 0, 0}, {.3, -.2, .9}, {1, .4, 0}, {1, 1.5, .5}}); }
+SolidPtr turned_cuboid()
+{
+    return solid(scene::Cuboid{{0, 0, 0}, {.3, -.2, .9}, {1, .4, 0}, {1, 1.5, .5}});
+}
 SolidPtr ellipsoid()
 {
     return solid(scene::Transformed{scene::Rotate{{1, 2, 3}, 40},
                                     solid(scene::Transformed{scene::Scale{{1, .5, .75}}, sphere({0, 0, 0}, 1)})});
 }
 
-TYPED_TEST(KernelsPrimitives, APlaneIsMetWhereItIs) { check_primitive<TypeParam>(plane({0, 0, .25}, {.6, 0, .8}), many); }
-TYPED_TEST(KernelsPrimitives, ASphereIsMetWhereItIs) { check_primitive<TypeParam>(sphere({0, 0, 0}, 1), many); }
+TYPED_TEST(KernelsPrimitives, APlaneIsMetWhereItIs)
+{
+    check_primitive<TypeParam>(plane({0, 0, .25}, {.6, 0, .8}), many);
+}
+TYPED_TEST(KernelsPrimitives, ASphereIsMetWhereItIs)
+{
+    check_primitive<TypeParam>(sphere({0, 0, 0}, 1), many);
+}
 TYPED_TEST(KernelsPrimitives, ASphereBesideTheEyeIsMetWhereItIs)
 {
     // The centre is no 0, so that taking it from a far origin rounds.
@@ -163,8 +173,14 @@ TYPED_TEST(KernelsPrimitives, ASaddleIsMetWhereItIs)
 {
     check_primitive<TypeParam>(solid(scene::Saddle{{0, 0, 0}, {.2, .1, .7}, {1, 0, .3}}), many);
 }
-TYPED_TEST(KernelsPrimitives, ACuboidIsMetWhereItIs) { check_primitive<TypeParam>(turned_cuboid(), many); }
-TYPED_TEST(KernelsPrimitives, AnEllipsoidIsMetWhereItIs) { check_primitive<TypeParam>(ellipsoid(), many); }
+TYPED_TEST(KernelsPrimitives, ACuboidIsMetWhereItIs)
+{
+    check_primitive<TypeParam>(turned_cuboid(), many);
+}
+TYPED_TEST(KernelsPrimitives, AnEllipsoidIsMetWhereItIs)
+{
+    check_primitive<TypeParam>(ellipsoid(), many);
+}
 
 TYPED_TEST(KernelsPrimitives, AComplementIsMetWhereItsPrimitiveIs)
 {

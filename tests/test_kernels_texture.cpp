@@ -4,8 +4,8 @@
 #include "scene/pack.h"
 
 #include <filesystem>
-#include <functional>
 #include <fstream>
+#include <functional>
 #include <numbers>
 #include <unistd.h>
 
@@ -284,8 +284,8 @@ TYPED_TEST(KernelsTexture, SkiesFollowTheirFormulas)
         const Vec3 d = random_direction(random);
         expect_color(seen<P>(rgb, {0, 0, 0}, d), {(d.x + 1) / 2, (d.y + 1) / 2, (1 - d.z) / 2}, "rgb");
         const double t = scene::dot(d, {0, .6, .8});
-        expect_color(seen<P>(gradient, {0, 0, 0}, d),
-                     {std::max(0., -t), 1 - std::fabs(t), std::max(0., t)}, "gradient");
+        expect_color(seen<P>(gradient, {0, 0, 0}, d), {std::max(0., -t), 1 - std::fabs(t), std::max(0., t)},
+                     "gradient");
         const auto [u, v] = angles(f, d);
         const double saturation = std::min(1., 2 * v), value = std::min(1., 2 * (1 - v)), h = 6 * u;
         const double x = 1 - std::fabs(std::fmod(h, 2) - 1); // the hexcone model (Smith 1978)
