@@ -6,9 +6,10 @@
 #include "kernels/solids/quadric.h"
 #include "kernels/solids/sphere.h"
 
-/* A boundary met at ray parameter t. face carries MEMBER_INVERSE where the object lies outside the primitive. */
+/* A boundary met at ray parameter t, which is `at` on the object's line (the sharper of the two from far off). face
+ * carries MEMBER_INVERSE where the object lies outside the primitive. */
 typedef struct {
-    real t, slope;
+    real t, at, slope;
     u32 face;
 } Crossing;
 
@@ -139,13 +140,13 @@ static inline int object_holds(const World* world, __global const LayoutObject* 
 /* The end nearest to x at which the object is entered (or left). */
 static inline Crossing nearest_face(const Span* spans, u32 count, real x, int entering)
 {
-    Crossing best = {INFINITE, R(0), MEMBER_NONE};
+    Crossing best = {INFINITE, INFINITE, R(0), MEMBER_NONE};
     for (u32 i = 0; i < count; i++) {
         const Span* s = &spans[i];
         const int at_lo = s->keep == entering;
-        const real t = at_lo ? s->lo : s->hi;
-        if (fabs(t - x) < fabs(best.t - x)) {
-            best.t = t;
+        const real at = at_lo ? s->lo : s->hi;
+        if (fabs(at - x) < fabs(best.at - x)) {
+            best.at = at;
             best.slope = at_lo ? s->slope_lo : s->slope_hi;
             best.face = at_lo ? s->face_lo : s->face_hi;
         }
@@ -166,22 +167,25 @@ static inline real next_end(const Line* line, const Span* spans, u32 count, real
 }
 #endif
 
-/* The ray in the object's frame. From far off (measured by the bound) the line's base is its point nearest to the
- * centre, so that the object is seen sharply; else it is the ray's origin itself, so that what lies on a surface stays
- * there. */
+/* The ray in the object's frame. From far off the line's base is its point nearest to the centre, so that the object
+ * is seen sharply; else it is the ray's origin itself, so that what lies on a surface stays there. */
 static inline Line make_line(const Ray* ray, __global const LayoutObject* object)
 {
-    const real far = R(8) * R(object->radius);
+    const vec center = load_vec(object->center);
     Line line;
     line.d = ray->d;
-    line.dd = dot3(ray->d, ray->d);
-    line.origin = line.base = sub(ray->o, load_vec(object->center));
+    line.dd = ray->dd;
+    line.origin = line.base = sub(ray->o, center);
     line.start = R(0);
     line.err = ray->err;
     line.left = ray->left;
     line.left_inside = ray->left_inside;
-    if (dot3(line.origin, line.origin) > far * far) {
-        line.base = scaled(cross_exact(ray->d, cross_exact(line.origin, ray->d)), R(1) / line.dd);
+    if (dot3(line.origin, line.origin) > square(R(object->near))) {
+        /* What the subtraction rounded away counts from here. */
+        const vec lost = make_vec(difference_error(ray->o.x, center.x), difference_error(ray->o.y, center.y),
+                                  difference_error(ray->o.z, center.z));
+        const vec moment = add(cross_exact(line.origin, ray->d), cross3(lost, ray->d));
+        line.base = scaled(cross_exact(ray->d, moment), R(1) / line.dd);
         line.start = dot3(line.origin, ray->d) / line.dd;
     }
     return line;
@@ -192,11 +196,12 @@ static inline Line make_line(const Ray* ray, __global const LayoutObject* object
 static inline Crossing crossing_here(World* world, const Line* line, Crossing found, real x, real err)
 {
     const real error = line_error(line, x) + err;
-    if (!(fabs(found.t - line->start - x) <= R(16) * fmax(found.slope, R(1)) * error)) {
+    if (!(fabs(found.at - line->start - x) <= R(16) * fmax(found.slope, R(1)) * error)) {
         COUNT(world, STAT_PARITY);
         found.face = MEMBER_NONE;
     }
     found.t = x;
+    found.at = line->start + x;
     return found;
 }
 
@@ -227,22 +232,23 @@ static inline int object_crossing(World* world, __global const LayoutObject* obj
             if (!(at < INFINITE)) return 0;
         } while (object_holds(world, object, line, spans, at, R(0)) == inside);
         *crossing = nearest_face(spans, count, at, !inside);
+        crossing->at = at;
         crossing->t = at - line->start;
         return 1;
     }
 #endif
     const Span s = group_span(world, world->groups[object->group_begin], line);
     const int at_lo = s.keep == !inside;
-    crossing->t = at_lo ? s.lo : s.hi;
+    crossing->at = at_lo ? s.lo : s.hi;
     crossing->slope = at_lo ? s.slope_lo : s.slope_hi;
     crossing->face = at_lo ? s.face_lo : s.face_hi;
     if (span_holds(line, &s, from, err) != inside) {
         *crossing = crossing_here(world, line, *crossing, x, err);
         return 1;
     }
-    if (!is_finite(crossing->t)) return 0;
+    if (!is_finite(crossing->at)) return 0;
     if (at_lo && (passed(line, s.lo, s.slope_lo, from, err) || passed(line, s.hi, s.slope_hi, s.lo, R(0)))) return 0;
-    crossing->t -= line->start;
+    crossing->t = crossing->at - line->start;
     return 1;
 }
 

@@ -40,6 +40,7 @@ static Ray make_ray(const NativeRay* r)
     Ray ray;
     ray.o = from_doubles(r->o);
     ray.d = renormalized(from_doubles(r->d));
+    ray.dd = dot_exact(ray.d, ray.d);
     ray.left = r->left;
     ray.left_inside = r->left_inside;
     ray.err = r->left == MEMBER_NONE ? R(0) : position_error(ray.o, R(0));

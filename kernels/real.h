@@ -11,6 +11,8 @@
 #include "kernels/native.h"
 #endif
 
+/* What a scene's coordinates are stored to, whatever the arithmetic. */
+#define STORED_ROUNDOFF 5.9604644775390625e-8f
 #ifdef CLU_DOUBLE
 typedef double real;
 #define UNIT_ROUNDOFF 1.1102230246251565e-16
@@ -40,6 +42,14 @@ static inline real difference_of_products(real a, real b, real c, real d)
     const real w = c * d;
     const real e = fma(-c, d, w);
     return fma(a, b, -w) + e;
+}
+
+/* What the rounded difference a - b leaves out (Knuth's two-sum). */
+static inline real difference_error(real a, real b)
+{
+    const real d = a - b;
+    const real z = d - a;
+    return (a - (d - z)) - (b + z);
 }
 
 /* A sum of products with the rounding errors carried along (Dot2: Ogita, Rump, Oishi 2005). */

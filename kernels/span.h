@@ -47,7 +47,7 @@ static inline Span span_everything(void)
 /* The error of a parameter t on this line, for a surface met at right angles. */
 static inline real line_error(const Line* line, real t)
 {
-    return TOLERANCE * (largest(line->base) + fabs(t));
+    return ROUNDINGS * UNIT_ROUNDOFF * (largest(line->base) + fabs(t));
 }
 
 /* Whether an end at t lies before x, or so near after it that rounding cannot tell: the point at x is (t - x)/slope

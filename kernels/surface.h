@@ -24,7 +24,7 @@ static inline Surface make_surface(const World* world, const Ray* ray, u32 id, C
 {
     Surface s;
     const Line line = make_line(ray, &world->objects[id]);
-    vec p = along(line.base, line.d, line.start + crossing.t);
+    vec p = along(line.base, line.d, crossing.at);
     s.n = member_normal(world, crossing.face, &p);
     s.p = add(load_vec(world->objects[id].center), p);
     s.t = crossing.t;

@@ -37,6 +37,14 @@ static inline real dot3(vec a, vec b)
 {
     return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z));
 }
+static inline real dot_exact(vec a, vec b)
+{
+    Sum s = {R(0), R(0)};
+    sum_product(&s, a.x, b.x);
+    sum_product(&s, a.y, b.y);
+    sum_product(&s, a.z, b.z);
+    return sum_value(s);
+}
 static inline vec along(vec o, vec d, real t)
 {
     return make_vec(fma(d.x, t, o.x), fma(d.y, t, o.y), fma(d.z, t, o.z));

@@ -29,18 +29,20 @@ typedef struct {
  * goes (known from the event, never recomputed). err bounds the error of o's distance from any surface it lies on. */
 typedef struct {
     vec o, d;
+    real dd; /* |d|^2, which is 1 but for rounding */
     u32 left;
     int left_inside;
     real err;
 } Ray;
 
-/* Positions are good to a few roundings of their size. The constant is what flush faces need (tests of coincident
- * faces), and small enough that shells with a relative gap of 1e-6 stay apart. */
-#define TOLERANCE (R(3) * UNIT_ROUNDOFF)
+/* Positions are good to a few roundings of their size: of the arithmetic within one object, of what coordinates are
+ * stored to between objects. The factor is what flush faces need (tests of coincident faces), and small enough that
+ * shells with a relative gap of 1e-6 stay apart. */
+#define ROUNDINGS R(4)
 
 static inline real position_error(vec o, real t)
 {
-    return TOLERANCE * (largest(o) + fabs(t));
+    return ROUNDINGS * R(STORED_ROUNDOFF) * (largest(o) + fabs(t));
 }
 
 #endif

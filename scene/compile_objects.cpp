@@ -24,6 +24,26 @@ Vec3 anchor(const Form& form, Vec3 eye)
     return std::get<Quadric>(member).c;
 }
 
+/// How large an unbounded solid's parts are, with their distance from the centre: of a curved part its radius, of a
+/// plane how far from the eye it passes.
+double size_of_parts(const Form& form, Vec3 center, Vec3 eye)
+{
+    double size = 0;
+    for (const Form& part : form.parts) size = std::max(size, size_of_parts(part, center, eye));
+    for (const Member& member : form.group.members) {
+        if (const auto* plane = std::get_if<HalfSpace>(&member)) {
+            size = std::max(size, std::fabs(dot(plane->n, eye) - plane->h));
+        } else if (const auto* ball = std::get_if<Ball>(&member)) {
+            size = std::max(size, length(ball->c - center) + ball->r);
+        } else if (const auto* q = std::get_if<Quadric>(&member)) {
+            double finest = 0;
+            for (const Vec3& row : q->m.rows) finest = std::max(finest, length(row));
+            size = std::max(size, length(q->c - center) + 1 / finest);
+        }
+    }
+    return size;
+}
+
 /// Writes one object's form behind those that are there already.
 class ObjectWriter {
 public:
@@ -221,6 +241,7 @@ ObjectBuffers compile_objects(const Scene& scene, Vec3 eye, double start_radius)
         store(layout.center, center - eye);
         report.radius = bounded ? (bound.radius + length(bound.center - center)) * (1 + bound_margin) : unbounded;
         layout.radius = static_cast<float>(report.radius);
+        layout.near = static_cast<float>(bounded ? 1.5 * report.radius : 1.1 * size_of_parts(form, center, eye));
         layout.optics = static_cast<u32>(object.optics);
         layout.texture = object.texture ? static_cast<u32>(*object.texture) : TEXTURE_NONE;
         ObjectWriter(out, center).write(form, layout, report);

@@ -11,8 +11,8 @@ static_assert(sizeof(LayoutQuadric) == 26 * 4 && offsetof(LayoutQuadric, m) == 3
 static_assert(offsetof(LayoutQuadric, cof) == 12 * 4 && offsetof(LayoutQuadric, s) == 21 * 4);
 static_assert(offsetof(LayoutQuadric, g) == 24 * 4 && offsetof(LayoutQuadric, w) == 25 * 4);
 static_assert(sizeof(LayoutGroup) == 3 * 4);
-static_assert(sizeof(LayoutObject) == 10 * 4 && offsetof(LayoutObject, group_begin) == 4 * 4);
-static_assert(offsetof(LayoutObject, optics) == 8 * 4 && offsetof(LayoutObject, texture) == 9 * 4);
+static_assert(sizeof(LayoutObject) == 11 * 4 && offsetof(LayoutObject, group_begin) == 5 * 4);
+static_assert(offsetof(LayoutObject, optics) == 9 * 4 && offsetof(LayoutObject, texture) == 10 * 4);
 static_assert(sizeof(LayoutOptics) == 9 * 4 && offsetof(LayoutOptics, extinction) == 4 * 4);
 static_assert(offsetof(LayoutOptics, flags) == 7 * 4 && offsetof(LayoutOptics, rank) == 8 * 4);
 static_assert(sizeof(LayoutImage) == 4 * 4);

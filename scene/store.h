@@ -12,7 +12,10 @@ inline void store(float* to, Vec3 v)
     to[2] = static_cast<float>(v.z);
 }
 
-inline void store(float* to, Rgb c) { store(to, Vec3{c.r, c.g, c.b}); }
+inline void store(float* to, Rgb c)
+{
+    store(to, Vec3{c.r, c.g, c.b});
+}
 
 /// What float keeps of v.
 inline Vec3 rounded(Vec3 v)

@@ -69,7 +69,15 @@ static inline Span quadric_span(__global const LayoutQuadric* q, const Line* lin
         return span_left(line, a, a == R(0) ? R(0) : R(-2) * b / a, quadric_slope(q, x, b));
     }
     const vec o = sub(line->base, c);
-    const vec k = apply(q->cof, cross_exact(o, line->d));
+    const vec moment = cross_exact(o, line->d);
+#ifdef CLU_DOUBLE
+    /* The stored cofactors are rounded: too coarse for double. */
+    const vec m0 = load_vec(q->m), m1 = load_vec(q->m + 3), m2 = load_vec(q->m + 6);
+    const vec k = make_vec(dot3(cross_exact(m1, m2), moment), dot3(cross_exact(m2, m0), moment),
+                           dot3(cross_exact(m0, m1), moment));
+#else
+    const vec k = apply(q->cof, moment);
+#endif
     const real discriminant = quadric_discriminant(q, d, k);
     if (!(discriminant > R(0)) && a != R(0)) return a < R(0) ? span_everything() : span_nothing();
 

@@ -10,7 +10,7 @@ static inline Span sphere_span(__global const LayoutSphere* sphere, const Line* 
     const vec c = load_vec(sphere->c);
     const real r = R(sphere->r);
     if (left) {
-        const real b = dot3(sub(line->origin, c), line->d);
+        const real b = dot_exact(sub(line->origin, c), line->d);
         return span_left(line, R(1), R(-2) * b / line->dd, r / fabs(b));
     }
     const vec o = sub(line->base, c);
@@ -26,7 +26,7 @@ static inline Span sphere_span(__global const LayoutSphere* sphere, const Line* 
 static inline vec sphere_normal(__global const LayoutSphere* sphere, vec* p)
 {
     const vec c = load_vec(sphere->c);
-    const vec n = normalized(sub(*p, c));
+    const vec n = renormalized(normalized(sub(*p, c)));
     *p = along(c, n, R(sphere->r));
     return n;
 }
