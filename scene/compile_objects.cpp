@@ -154,7 +154,7 @@ private:
         const Mat3 m{{rounded(quadric.m.rows[0]), rounded(quadric.m.rows[1]), rounded(quadric.m.rows[2])}};
         const Mat3 cof = cofactor(m); // of what is stored, so that moments and directions agree
         store(q.c, quadric.c - center);
-        for (int i = 0; i < 3; i++) {
+        for (std::size_t i = 0; i < 3; i++) {
             store(q.m + 3 * i, m.rows[i]);
             store(q.cof + 3 * i, cof.rows[i]);
         }

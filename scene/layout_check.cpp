@@ -4,22 +4,29 @@
 #include <cstddef>
 #include <type_traits>
 
-static_assert(sizeof(float) == 4 && sizeof(u32) == 4);
-static_assert(sizeof(LayoutPlane) == 4 * 4 && offsetof(LayoutPlane, h) == 3 * 4);
-static_assert(sizeof(LayoutSphere) == 4 * 4 && offsetof(LayoutSphere, r) == 3 * 4);
-static_assert(sizeof(LayoutQuadric) == 26 * 4 && offsetof(LayoutQuadric, m) == 3 * 4);
-static_assert(offsetof(LayoutQuadric, cof) == 12 * 4 && offsetof(LayoutQuadric, s) == 21 * 4);
-static_assert(offsetof(LayoutQuadric, g) == 24 * 4 && offsetof(LayoutQuadric, w) == 25 * 4);
-static_assert(sizeof(LayoutGroup) == 3 * 4);
-static_assert(sizeof(LayoutObject) == 11 * 4 && offsetof(LayoutObject, group_begin) == 5 * 4);
-static_assert(offsetof(LayoutObject, optics) == 9 * 4 && offsetof(LayoutObject, texture) == 10 * 4);
-static_assert(sizeof(LayoutOptics) == 9 * 4 && offsetof(LayoutOptics, extinction) == 4 * 4);
-static_assert(offsetof(LayoutOptics, flags) == 7 * 4 && offsetof(LayoutOptics, rank) == 8 * 4);
-static_assert(sizeof(LayoutImage) == 4 * 4);
-static_assert(sizeof(LayoutTexture) == 20 * 4 && offsetof(LayoutTexture, origin) == 11 * 4);
-static_assert(offsetof(LayoutTexture, scale) == 14 * 4 && offsetof(LayoutTexture, reflection) == 17 * 4);
-static_assert(sizeof(LayoutLight) == 6 * 4);
-static_assert(sizeof(LayoutFrame) == 35 * 4 && offsetof(LayoutFrame, forward) == 2 * 4);
-static_assert(offsetof(LayoutFrame, window) == 11 * 4 && offsetof(LayoutFrame, cutoff) == 15 * 4);
-static_assert(offsetof(LayoutFrame, sky_image) == 22 * 4 && offsetof(LayoutFrame, sky_axis) == 23 * 4);
+namespace {
+constexpr std::size_t words(std::size_t n)
+{
+    return 4 * n;
+}
+} // namespace
+
+static_assert(sizeof(float) == words(1) && sizeof(u32) == words(1));
+static_assert(sizeof(LayoutPlane) == words(4) && offsetof(LayoutPlane, h) == words(3));
+static_assert(sizeof(LayoutSphere) == words(4) && offsetof(LayoutSphere, r) == words(3));
+static_assert(sizeof(LayoutQuadric) == words(26) && offsetof(LayoutQuadric, m) == words(3));
+static_assert(offsetof(LayoutQuadric, cof) == words(12) && offsetof(LayoutQuadric, s) == words(21));
+static_assert(offsetof(LayoutQuadric, g) == words(24) && offsetof(LayoutQuadric, w) == words(25));
+static_assert(sizeof(LayoutGroup) == words(3));
+static_assert(sizeof(LayoutObject) == words(11) && offsetof(LayoutObject, group_begin) == words(5));
+static_assert(offsetof(LayoutObject, optics) == words(9) && offsetof(LayoutObject, texture) == words(10));
+static_assert(sizeof(LayoutOptics) == words(9) && offsetof(LayoutOptics, extinction) == words(4));
+static_assert(offsetof(LayoutOptics, flags) == words(7) && offsetof(LayoutOptics, rank) == words(8));
+static_assert(sizeof(LayoutImage) == words(4));
+static_assert(sizeof(LayoutTexture) == words(20) && offsetof(LayoutTexture, origin) == words(11));
+static_assert(offsetof(LayoutTexture, scale) == words(14) && offsetof(LayoutTexture, reflection) == words(17));
+static_assert(sizeof(LayoutLight) == words(6));
+static_assert(sizeof(LayoutFrame) == words(35) && offsetof(LayoutFrame, forward) == words(2));
+static_assert(offsetof(LayoutFrame, window) == words(11) && offsetof(LayoutFrame, cutoff) == words(15));
+static_assert(offsetof(LayoutFrame, sky_image) == words(22) && offsetof(LayoutFrame, sky_axis) == words(23));
 static_assert(std::is_trivially_copyable_v<LayoutFrame> && std::is_standard_layout_v<LayoutFrame>);

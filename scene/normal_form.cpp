@@ -50,9 +50,9 @@ HalfSpace half_space(Vec3 point, Vec3 normal, const Affine& map)
     return {n, dot(n, map * point)};
 }
 
-Group group_of(Member member)
+Group group_of(const Member& member)
 {
-    return {{std::move(member)}, false};
+    return {{member}, false};
 }
 
 Group group(const Plane& s, const Affine& map)
@@ -175,9 +175,9 @@ Form joined(Form::Kind kind, std::vector<Form> parts)
             add_part(rest, std::move(part));
             continue;
         }
-        for (Member& member : part.group.members)
+        for (const Member& member : part.group.members)
             if (std::ranges::find(merged.group.members, member) == merged.group.members.end())
-                merged.group.members.push_back(std::move(member));
+                merged.group.members.push_back(member);
     }
     if (!merged.group.members.empty()) rest.insert(rest.begin(), std::move(merged));
     if (rest.size() == 1) return std::move(rest[0]);
