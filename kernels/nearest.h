@@ -26,13 +26,14 @@ static inline int bound_met(__global const LayoutObject* object, const Ray* ray,
     return dot3(offset, offset) <= radius * radius && from <= middle + radius && to >= middle - radius;
 }
 
-/* Whether rounding cannot tell crossing c, no nearer than the interface, from it. */
-static inline int coincides(const Interface* face, Crossing c, real err)
+/* Whether rounding cannot tell crossing c, no nearer than the interface, from it. The interface's point is what is in
+ * doubt: a boundary met at a slant far beyond it is no less sure for being far. */
+static inline int coincides(const Interface* face, Crossing c, vec o)
 {
-    return c.t - c.slope * err <= face->t;
+    return c.t - c.slope * position_error(o, face->t) <= face->t;
 }
 
-static inline void interface_add(Interface* face, u32 id, Crossing crossing, real err)
+static inline void interface_add(Interface* face, u32 id, Crossing crossing, vec o)
 {
     if (crossing.t < face->t) {
         /* The new nearest goes last; what no longer coincides with it goes away. */
@@ -40,12 +41,12 @@ static inline void interface_add(Interface* face, u32 id, Crossing crossing, rea
         face->t = crossing.t;
         face->count = 0;
         for (u32 i = 0; i < before && face->count < INTERFACE_CAPACITY - 1; i++) {
-            if (!coincides(face, face->crossings[i], err)) continue;
+            if (!coincides(face, face->crossings[i], o)) continue;
             face->ids[face->count] = face->ids[i];
             face->crossings[face->count] = face->crossings[i];
             face->count++;
         }
-    } else if (face->count == INTERFACE_CAPACITY || !coincides(face, crossing, err)) {
+    } else if (face->count == INTERFACE_CAPACITY || !coincides(face, crossing, o)) {
         return;
     }
     face->ids[face->count] = id;
@@ -69,8 +70,7 @@ static inline int nearest_interface(World* world, const Ray* ray, real x, real e
         COUNT(world, STAT_TESTS);
         const Line line = make_line(ray, object);
         Crossing crossing;
-        if (object_crossing(world, object, &line, x, err, inside, &crossing))
-            interface_add(face, id, crossing, position_error(ray->o, crossing.t));
+        if (object_crossing(world, object, &line, x, err, inside, &crossing)) interface_add(face, id, crossing, ray->o);
     }
     return face->count > 0;
 }

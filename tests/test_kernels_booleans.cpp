@@ -225,6 +225,25 @@ TYPED_TEST(KernelsBooleans, ObjectsThatShareBoundariesCrossThemAsOneButForOneRay
     expect_right(tally, stats);
 }
 
+TYPED_TEST(KernelsBooleans, ABoundaryFarAheadAtASlantIsNotCrossedWithTheNearOne)
+{
+    using P = TypeParam;
+    const SolidPtr block = solid(scene::Cuboid{{0, 0, 2}, {0, 0, 1}, {1, 0, 0}, {1, 1, 1}});
+    const SolidPtr floor = solid(scene::Plane{{0, 0, 0}, {0, 0, 1}});
+    const Native native(scene_of({block, floor}));
+    Stats stats{};
+    for (const double fall : {1e-3, 1e-5, 1e-6, 1e-7}) {
+        const Vec3 d = scene::unit(Vec3{1, 0, -fall});
+        Path path{{-3, 0, 2}, d, MEMBER_NONE, false};
+        const std::optional<Hit> in = next_hit<P>(native, path, {}, stats);
+        ASSERT_TRUE(in && in->after == 0) << fall;
+        const std::optional<Hit> out = next_hit<P>(native, beyond(*in, d), {0U}, stats);
+        ASSERT_TRUE(out.has_value()) << fall;
+        EXPECT_EQ(out->after, vacuum) << "the floor is two units below, at a fall of " << fall;
+    }
+    expect_sound(stats);
+}
+
 /// All surfaces along the same random rays, as bytes.
 template <typename P>
 std::vector<double> events_of(const SolidPtr& solid)
