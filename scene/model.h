@@ -212,7 +212,8 @@ struct Pinhole {
     double fov = 45;
     bool operator==(const Pinhole&) const = default;
 };
-/// The original program's: rays leave a window of the picture's size at the eye (shared/formats: s and (view-eye)+s).
+/// The original program's: rays leave a window of the picture's size at the eye (docs/scene-language.md has the
+/// formula).
 struct Window {
     Vec3 eye, view, column, row;
     bool operator==(const Window&) const = default;
