@@ -101,7 +101,7 @@ void compare(const Native& scene, const Leaf<typename P::Wide>& leaf, Vec3 o, Ve
 }
 
 template <typename P>
-void check_primitive(const SolidPtr& solid, unsigned rays)
+void check_primitive(const SolidPtr& solid, unsigned rays, double most = 8)
 {
     const Native scene(scene_of({solid}));
     const Leaf<typename P::Wide> leaf = leaf_of<typename P::Wide>(scene, 0);
@@ -117,7 +117,7 @@ void check_primitive(const SolidPtr& solid, unsigned rays)
         else
             i--;
     }
-    EXPECT_LE(worst.error, 8) << "units of error x cos, wrong from a distance of " << worst.error_from << " on";
+    EXPECT_LE(worst.error, most) << "units of error x cos, wrong from a distance of " << worst.error_from << " on";
     EXPECT_LE(worst.normal, 16) << "units of the normal's direction, from " << worst.normal_from << " on";
     EXPECT_LE(worst.length, 2) << "units of the normal's length";
     EXPECT_EQ(worst.flips, 0U) << "from a distance of " << worst.flip_from << " on";
@@ -130,6 +130,49 @@ void check_primitive(const SolidPtr& solid, unsigned rays)
 
 constexpr unsigned many = 200000, some = 30000;
 
+SolidPtr torus(double minor)
+{
+    return solid(scene::Torus{{.0625, 0, -.03125}, {.3, -.2, .9}, 1 - minor, minor});
+}
+
+/// One of each kind, in a frame that is turned and moved. Written out: sum s X^2 + 2 sum l X + w.
+struct Kind {
+    const char* name;
+    Vec3 s, l;
+    double w;
+};
+constexpr Kind kinds[] = {{"ellipsoid", {1, 2, 4}, {}, -1},
+                          {"one-sheet hyperboloid", {4, 2, -1}, {}, -.5},
+                          {"two-sheet hyperboloid", {4, 2, -3}, {}, .25},
+                          {"cone", {1, 2, -1}, {}, 0},
+                          {"elliptic paraboloid", {1, 2, 0}, {0, 0, -1}, 0},
+                          {"hyperbolic paraboloid", {1, -2, 0}, {0, 0, -1}, .125},
+                          {"elliptic cylinder", {0, 2, 4}, {}, -1},
+                          {"hyperbolic cylinder", {2, -1, 0}, {}, .25},
+                          {"parabolic cylinder", {0, 2, 0}, {1, 0, 0}, .125},
+                          {"crossing planes", {1, 0, -2}, {}, 0},
+                          {"parallel planes", {0, 4, 0}, {}, -1},
+                          {"half-space", {}, {.5, 0, 0}, -.25}};
+
+SolidPtr quadric(const Kind& kind, double sign = 1)
+{
+    const scene::Mat3 m = scene::rotation({1, 2, 3}, 40);
+    const Vec3 c{.0625, -.125, .03125};
+    Vec3 half; // of what is linear in p
+    double rows[3][3] = {}, constant = kind.w;
+    for (int k = 0; k < 3; k++) {
+        using scene::component;
+        const double s = component(kind.s, k), l = component(kind.l, k), at = scene::dot(m.rows[k], c);
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 3; j++) rows[i][j] += s * component(m.rows[k], i) * component(m.rows[k], j);
+        half = half + m.rows[k] * (l - s * at);
+        constant += s * at * at - 2 * l * at;
+    }
+    scene::FreeQuadric q{{rows[0][0], rows[1][1], rows[2][2], 2 * rows[0][1], 2 * rows[0][2], 2 * rows[1][2],
+                          2 * half.x, 2 * half.y, 2 * half.z, constant}};
+    for (double& x : q.q) x *= sign;
+    return solid(q);
+}
 SolidPtr turned_cuboid()
 {
     return solid(scene::Cuboid{{0, 0, 0}, {.3, -.2, .9}, {1, .4, 0}, {1, 1.5, .5}});
@@ -182,6 +225,28 @@ TYPED_TEST(KernelsPrimitives, AnEllipsoidIsMetWhereItIs)
     check_primitive<TypeParam>(ellipsoid(), many);
 }
 
+TYPED_TEST(KernelsPrimitives, ATorusIsMetWhereItIs)
+{
+    check_primitive<TypeParam>(torus(.25), many, 16);
+}
+TYPED_TEST(KernelsPrimitives, AThickTorusIsMetWhereItIs)
+{
+    check_primitive<TypeParam>(torus(.484375), some, 16);
+}
+TYPED_TEST(KernelsPrimitives, AThinTorusIsMetWhereItIs)
+{
+    check_primitive<TypeParam>(torus(.03125), many, 16);
+}
+
+TYPED_TEST(KernelsPrimitives, AFreeQuadricOfAnyKindIsMetWhereItIs)
+{
+    for (const Kind& kind : kinds) {
+        SCOPED_TRACE(kind.name);
+        check_primitive<TypeParam>(quadric(kind), some);
+        check_primitive<TypeParam>(quadric(kind, -1), some);
+    }
+}
+
 TYPED_TEST(KernelsPrimitives, AComplementIsMetWhereItsPrimitiveIs)
 {
     for (const SolidPtr& s :
@@ -190,6 +255,7 @@ TYPED_TEST(KernelsPrimitives, AComplementIsMetWhereItsPrimitiveIs)
           solid(scene::Hyperboloid{{0, 0, 0}, {.4, .3, 1}, .5}),
           solid(scene::Saddle{{0, 0, 0}, {.2, .1, .7}, {1, 0, .3}}), turned_cuboid(), ellipsoid()})
         check_primitive<TypeParam>(complement(s), some);
+    check_primitive<TypeParam>(complement(torus(.25)), some, 16);
 }
 
 } // namespace
