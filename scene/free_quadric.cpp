@@ -107,6 +107,24 @@ Quadric parabolic(const std::array<Term, 3>& terms, Vec3 vertex, double slope)
     return q;
 }
 
+HalfSpace half_space(Vec3 point, Vec3 normal)
+{
+    const Vec3 n = unit(normal);
+    return {n, dot(n, point)};
+}
+
+/// X0^2 - X2^2 < 0, X0^2 - 1 < 0 or 1 - X2^2 < 0.
+std::optional<PlanePair> plane_pair(const Quadric& q)
+{
+    const auto& x = q.m.rows;
+    if (q.s == Vec3{1, 0, -1} && q.w == 0)
+        return PlanePair{half_space(q.c, x[0] - x[2]), half_space(q.c, x[0] + x[2]), true, false};
+    const bool slab = q.s == Vec3{1, 0, 0}, outside = q.s == Vec3{0, 0, -1};
+    if (!slab && !outside) return std::nullopt;
+    const Vec3 normal = slab ? x[0] : x[2], half = normal * (1 / dot(normal, normal));
+    return PlanePair{half_space(q.c + half, normal), half_space(q.c - half, -normal), false, outside};
+}
+
 /// The solid of revolution that holds it, for its bounds.
 std::optional<Quadric::Revolution> revolution_of(Quadric& q)
 {
@@ -125,7 +143,7 @@ std::optional<Quadric::Revolution> revolution_of(Quadric& q)
 
 } // namespace
 
-std::optional<std::variant<HalfSpace, Quadric>> canonical(const FreeQuadric& quadric)
+std::optional<std::variant<HalfSpace, PlanePair, Quadric>> canonical(const FreeQuadric& quadric)
 {
     std::array<Term, 3> terms = principal_terms(quadric);
     const double constant = quadric.q[9];
@@ -148,6 +166,7 @@ std::optional<std::variant<HalfSpace, Quadric>> canonical(const FreeQuadric& qua
         std::ranges::stable_sort(terms, [](const Term& x, const Term& y) { return x.value > y.value; });
         std::optional<Quadric> q = central(terms, center, w);
         if (!q) return std::nullopt;
+        if (const auto planes = plane_pair(*q)) return *planes;
         q->revolution = revolution_of(*q);
         return *q;
     }

@@ -8,8 +8,14 @@
 
 namespace clucida::scene {
 
-/// The same solid as a quadric in its own frame, or, if no term is of second degree, as a half-space. Nothing if the
-/// solid has no boundary.
-std::optional<std::variant<HalfSpace, Quadric>> canonical(const FreeQuadric& quadric);
+/// Two planes: where exactly one of the half-spaces holds if they cross; else where both do, or not both.
+struct PlanePair {
+    HalfSpace a, b;
+    bool crossing = false, inverse = false;
+};
+
+/// The same solid as a quadric in its own frame, or as the planes that it is made of: in halves their distance
+/// is sharp even near the edge where they cross. Nothing if the solid has no boundary.
+std::optional<std::variant<HalfSpace, PlanePair, Quadric>> canonical(const FreeQuadric& quadric);
 
 } // namespace clucida::scene

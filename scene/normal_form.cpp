@@ -119,13 +119,9 @@ Group group(const Cuboid& s, const Affine& map)
     return planes;
 }
 
-Group group(const FreeQuadric& s, const Affine& map)
+HalfSpace placed(const HalfSpace& plane, const Affine& map)
 {
-    const auto found = canonical(s);
-    if (!found) return {};
-    if (const auto* plane = std::get_if<HalfSpace>(&*found))
-        return group_of(half_space(plane->n * plane->h, plane->n, map));
-    return group_of(placed(std::get<Quadric>(*found), map));
+    return half_space(plane.n * plane.h, plane.n, map);
 }
 
 bool is_convex(const Member& member)
@@ -207,6 +203,24 @@ struct Builder {
         Group g = group(primitive, map);
         if (g.members.empty()) throw Error(solid.at, "this solid has no boundary; expected a part of space");
         return {Form::Kind::group, complement ? complemented(std::move(g)) : std::move(g), {}};
+    }
+
+    Form form(const FreeQuadric& node, const Solid& solid, const Affine& map, bool complement)
+    {
+        const auto found = canonical(node);
+        if (!found) throw Error(solid.at, "this quadric has no boundary; expected factors of either sign");
+        if (const auto* pair = std::get_if<PlanePair>(&*found)) return form(*pair, map, complement);
+        const auto* plane = std::get_if<HalfSpace>(&*found);
+        Group g = group_of(plane != nullptr ? placed(*plane, map) : placed(std::get<Quadric>(*found), map));
+        return {Form::Kind::group, complement ? complemented(std::move(g)) : std::move(g), {}};
+    }
+
+    Form form(const PlanePair& pair, const Affine& map, bool complement)
+    {
+        const HalfSpace a = placed(pair.a, map), b = placed(pair.b, map), not_a{-a.n, -a.h}, not_b{-b.n, -b.h};
+        if (!pair.crossing) return {Form::Kind::group, {{a, b}, complement != pair.inverse}, {}};
+        const Group first{{a, complement ? b : not_b}, false}, second{{not_a, complement ? not_b : b}, false};
+        return {Form::Kind::any, {}, {{Form::Kind::group, first, {}}, {Form::Kind::group, second, {}}}};
     }
 
     /// A line may have two intervals in a torus: its first or its second.
@@ -296,6 +310,8 @@ std::size_t count_node(const auto& node, std::size_t limit, Memo& memo)
         return 6;
     } else if constexpr (std::is_same_v<Node, Torus>) {
         return 2;
+    } else if constexpr (std::is_same_v<Node, FreeQuadric>) {
+        return 4; // if it is two planes that cross
     } else {
         return 1;
     }
