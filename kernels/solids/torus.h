@@ -20,7 +20,7 @@ typedef struct {
     real z, dz;                /* the height */
     real dd;                   /* |d|^2 */
     real lo, hi;               /* the torus lies between */
-    real bend, half;           /* g is concave from bend - half to bend + half; half < 0: nowhere */
+    real bend, width;          /* g is concave from bend - width to bend + width; width < 0: nowhere */
     real shift;                /* parameter of the base on the object's line */
     int left;                  /* the ray has just left the torus, at start */
     real start, rho_start, od; /* od: o . d of its origin, relative to the torus's centre */
@@ -46,16 +46,16 @@ static inline int torus_line(__global const LayoutTorus* torus, const Line* line
     l->lo = -reach;
     l->hi = reach;
     if (l->dz != R(0)) {
-        const real middle = -height / l->dz, half = R(1.0625f) * l->minor / fabs(l->dz);
-        l->lo = fmax(l->lo, middle - half);
-        l->hi = fmin(l->hi, middle + half);
+        const real middle = -height / l->dz, far = R(1.0625f) * l->minor / fabs(l->dz);
+        l->lo = fmax(l->lo, middle - far);
+        l->hi = fmin(l->hi, middle + far);
     }
     if (!left && (!(l->lo < l->hi) || (l->dz == R(0) && fabs(height) >= l->minor))) return 0;
 
     l->ed = cross_exact(n, d);
     l->e = cross_exact(n, b);
     l->bend = R(0);
-    l->half = R(-1);
+    l->width = R(-1);
     const real a = dot3(l->ed, l->ed);
     real base = R(0);
     if (a > R(0)) {
@@ -71,7 +71,7 @@ static inline int torus_line(__global const LayoutTorus* torus, const Line* line
         }
         if (sqrt(least) * l->dd < l->major * a) {
             const real rho = cbrt(l->major * a * least / l->dd);
-            l->half = sqrt(fmax(rho * rho - least, R(0)) / a);
+            l->width = sqrt(fmax(rho * rho - least, R(0)) / a);
         }
     }
     l->z = fma(base, l->dz, height);
@@ -168,8 +168,8 @@ static inline u32 torus_roots(const TorusLine* l, int out, u32 enough, real* roo
     for (int i = 0; i < 3 && n < enough; i++) {
         const int convex = i != 1;
         real b = l->hi;
-        if (i == 0 && l->half >= R(0)) b = fmin(b, l->bend - l->half);
-        if (i == 1) b = fmin(b, l->bend + l->half);
+        if (i == 0 && l->width >= R(0)) b = fmin(b, l->bend - l->width);
+        if (i == 1) b = fmin(b, l->bend + l->width);
         if (!(b > a)) continue;
         real slope;
         int out_b = b >= l->hi || torus_value(l, b, R(1), &slope) > R(0);
@@ -185,6 +185,19 @@ static inline u32 torus_roots(const TorusLine* l, int out, u32 enough, real* roo
     return n;
 }
 
+/* The parameter on the object's line of an end of an interval, which is a root, and its slope. */
+static inline real torus_end(const TorusLine* l, const Line* line, real t, real* slope)
+{
+    if (!is_finite(t)) return t;
+    real rise;
+    const real distance = torus_distance(l, t, R(1), &rise);
+    *slope = R(1) / fabs(rise);
+    if (l->left && t == l->start) return line->start;
+    /* Far from where the ray has left, the distance is sharper than what deflation leaves. */
+    if (l->left && t - l->start > l->minor && fabs(rise) > R(0.0625f)) t -= distance / rise;
+    return t + l->shift;
+}
+
 /* A line has up to two intervals within a torus; part says which. */
 static inline Span torus_span(__global const LayoutTorus* torus, const Line* line, u32 part, int left)
 {
@@ -192,7 +205,7 @@ static inline Span torus_span(__global const LayoutTorus* torus, const Line* lin
     real roots[TORUS_ROOTS];
     u32 n = 0;
     if (!torus_line(torus, line, left, &l)) return span_nothing();
-    if (part && !left && l.half < R(0)) return span_nothing(); /* convex: two roots at most */
+    if (part && !left && l.width < R(0)) return span_nothing(); /* convex: two roots at most */
     if (left) {
         if (!line->left_inside) roots[n++] = -INFINITE; /* what lies behind counts no more */
         roots[n++] = l.start;
@@ -201,22 +214,14 @@ static inline Span torus_span(__global const LayoutTorus* torus, const Line* lin
     if (n < 2u * part + 2u) return span_nothing();
 
     Span span = make_span(roots[2u * part], roots[2u * part + 1u], R(0), 1);
-    real* const ends[2] = {&span.lo, &span.hi};
-    real* const slopes[2] = {&span.slope_lo, &span.slope_hi};
-    for (int i = 0; i < 2; i++) {
-        real t = *ends[i];
-        if (!is_finite(t)) continue;
-        real slope;
-        const real distance = torus_distance(&l, t, R(1), &slope);
-        /* Far from where the ray has left, the distance is sharper than what deflation leaves. */
-        if (left && t - l.start > l.minor && fabs(slope) > R(0.0625f)) *ends[i] = t - distance / slope;
-        *slopes[i] = R(1) / fabs(slope);
-        *ends[i] = left && t == l.start ? line->start : *ends[i] + l.shift;
-    }
-    /* Rounding may blur an end that is met at a slant, but not as far as the interval's other end. */
-    for (int i = 0; i < 2; i++)
-        if (!(left && *ends[i] == line->start))
-            *slopes[i] = fmin(*slopes[i], R(0.25f) * (span.hi - span.lo) / (line_error(line, *ends[i]) + line->err));
+    span.lo = torus_end(&l, line, span.lo, &span.slope_lo);
+    span.hi = torus_end(&l, line, span.hi, &span.slope_hi);
+    /* Rounding blurs an end that is met at a slant, but not as far as the interval's other end. */
+    const real most = R(0.25f) * (span.hi - span.lo);
+    if (!(left && span.lo == line->start))
+        span.slope_lo = fmin(span.slope_lo, most / (line_error(line, span.lo) + line->err));
+    if (!(left && span.hi == line->start))
+        span.slope_hi = fmin(span.slope_hi, most / (line_error(line, span.hi) + line->err));
     return span;
 }
 
