@@ -2,6 +2,7 @@
 add_library(native_scene STATIC native_scene.cpp)
 target_link_libraries(native_scene PUBLIC clucida_scene clucida_native GTest::gtest PRIVATE clucida_warnings)
 clucida_test(test_kernels_primitives test_kernels_primitives.cpp LIBS native_scene)
+clucida_test(test_kernels_torus test_kernels_torus.cpp LIBS native_scene)
 clucida_test(test_kernels_booleans test_kernels_booleans.cpp LIBS native_scene)
 clucida_test(test_kernels_lenses test_kernels_lenses.cpp LIBS native_scene)
 clucida_test(test_kernels_mirrors test_kernels_mirrors.cpp LIBS native_scene)
