@@ -52,6 +52,23 @@ std::string jpeg_fault(std::string_view text)
     return {};
 }
 
+/// Chunks of a PNG: 2.27 takes memory for what a chunk claims, up to 2 GiB, before it looks whether there is so much.
+std::string png_fault(std::string_view text)
+{
+    constexpr std::size_t signature = 8, checksum = 4;
+    Bytes bytes{text};
+    bytes.skip(signature);
+    while (!bytes.ended()) {
+        const std::size_t high = bytes.next_two(), length = high << 16U | bytes.next_two();
+        const std::string_view kind = text.substr(bytes.at, 4);
+        if (kind == "IEND") return {};
+        bytes.skip(kind.size());
+        if (length > text.size() - bytes.at) return "the PNG is cut short";
+        bytes.skip(length + checksum);
+    }
+    return "the PNG is cut short";
+}
+
 /// Takes word and the number after it from the front of text. False if they do not stand there.
 bool take(std::string_view& text, std::string_view word, unsigned& number)
 {
@@ -88,6 +105,7 @@ std::string radiance_fault(std::string_view text)
     if (line == std::string_view::npos) return "the Radiance picture is cut short";
     Bytes bytes{rest, line + 1};
     for (unsigned row = 0; row < height; ++row) {
+        if (bytes.ended()) return "the Radiance picture is cut short";
         const unsigned first = bytes.next(), second = bytes.next(), high = bytes.next();
         if (first != 2 || second != 2 || (high & 0x80U) != 0) return {}; // no runs from here on
         if ((high << 8U | bytes.next()) != width) return {};
@@ -110,6 +128,7 @@ std::string radiance_fault(std::string_view text)
 std::string picture_fault(std::string_view bytes)
 {
     if (bytes.starts_with('\xFF')) return jpeg_fault(bytes);
+    if (bytes.starts_with("\x89PNG")) return png_fault(bytes);
     if (bytes.starts_with("#?RADIANCE\n") || bytes.starts_with("#?RGBE\n")) return radiance_fault(bytes);
     return {};
 }

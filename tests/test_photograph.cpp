@@ -73,13 +73,24 @@ TEST(LoadPhotograph, APictureThatIsCutOffIsAnErrorAtItsPlace)
     expect_refused("short.ppm", "the PPM is cut short");
 }
 
-// The next two are what stb_image 2.27 stumbles over: it writes past its table, and waits for ever.
+// The next three are what stb_image 2.27 stumbles over: it writes past its table, takes a GiB of memory, waits for
+// ever.
 TEST(LoadPhotograph, AJpegWithMoreHuffmanCodesThanThereAreBytesIsAnErrorAtItsPlace)
 {
     expect_refused("huffman.jpg", "a table of the JPEG is too long");
 }
 
+TEST(LoadPhotograph, APngWithAChunkThatClaimsMoreThanTheFileIsAnErrorAtItsPlace)
+{
+    expect_refused("chunk.png", "the PNG is cut short");
+}
+
 TEST(LoadPhotograph, ARadiancePictureThatEndsWithinARunIsAnErrorAtItsPlace)
+{
+    expect_refused("cut.hdr", "the Radiance picture is cut short");
+}
+
+TEST(LoadPhotograph, ARadiancePictureWithARowTooFewIsAnErrorAtItsPlace)
 {
     expect_refused("short.hdr", "the Radiance picture is cut short");
 }
