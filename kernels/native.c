@@ -43,7 +43,7 @@ static Ray make_ray(const NativeRay* r)
     ray.dd = dot_exact(ray.d, ray.d);
     ray.left = r->left;
     ray.left_inside = r->left_inside;
-    ray.err = r->left == MEMBER_NONE ? R(0) : position_error(ray.o, R(0));
+    ray.err = (real)r->err;
     return ray;
 }
 
@@ -83,6 +83,7 @@ int NATIVE(native_surface)(const NativeScene* scene, const NativeRay* ray, const
     surface->object = s.object;
     surface->before = s.before;
     surface->after = s.after;
+    surface->err = s.err;
     surface->left = s.left;
     surface->beyond_inside = s.beyond_inside;
     return 1;

@@ -15,11 +15,12 @@ typedef struct {
     const void* buffers[BUFFER_COUNT];
 } NativeScene;
 
-/* A ray, and the primitive that it leaves (MEMBER_NONE: none). */
+/* A ray, and the primitive that it leaves (MEMBER_NONE: none). err is that of the surface it leaves, else 0. */
 typedef struct {
     double o[3], d[3];
     u32 left;
     int left_inside;
+    double err;
 } NativeRay;
 
 typedef struct {
@@ -27,6 +28,7 @@ typedef struct {
     u32 object, before, after; /* 0xffffffff: vacuum */
     u32 left;
     int beyond_inside;
+    double err; /* how far p may lie from the boundaries crossed there */
 } NativeSurface;
 
 /* Samples sample_begin..sample_end-1 of the pixels x0..x0+width-1, y0..y0+height-1 (all within the picture): their

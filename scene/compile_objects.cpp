@@ -13,6 +13,8 @@ namespace {
 
 /// Bounds are widened by this for the rounding of float.
 constexpr double bound_margin = 1e-5;
+/// A bound of more than so many times the parts' size does not make the object's centre.
+constexpr double most_parts = 8;
 
 /// Where an unbounded solid's own frame has its origin.
 Vec3 anchor(const Form& form, Vec3 eye)
@@ -44,10 +46,19 @@ double size_of_parts(const Form& form, Vec3 center, Vec3 eye)
     return size;
 }
 
+/// A cylinder's frame may stand anywhere on its axis: nearest to the centre it is stored the most exactly.
+Vec3 frame_origin(const Quadric& q, Vec3 center)
+{
+    if (q.s.z != 0 || q.g != 0) return q.c;
+    const Vec3 axis = unit(cross(q.m.rows[0], q.m.rows[1]));
+    return q.c + axis * dot(axis, center - q.c);
+}
+
 /// Writes one object's form behind those that are there already.
 class ObjectWriter {
 public:
-    ObjectWriter(ObjectBuffers& buffers, Vec3 center) : out(buffers), center(center) {}
+    /// reach: the radius of the object's bound.
+    ObjectWriter(ObjectBuffers& buffers, Vec3 center, double reach) : out(buffers), center(center), reach(reach) {}
 
     void write(const Form& form, LayoutObject& object, ObjectReport& report)
     {
@@ -67,6 +78,7 @@ public:
         report.planes = planes;
         report.spheres = spheres;
         report.quadrics = quadrics;
+        object.grain = static_cast<float>(grain);
     }
 
 private:
@@ -133,6 +145,7 @@ private:
         p.h = static_cast<float>(plane.h - dot(plane.n, center));
         out.planes.push_back(p);
         planes++;
+        grain = std::max(grain, std::min(std::fabs(double{p.h}), reach));
         out.features |= feature_plane;
         return MEMBER_PLANE | static_cast<u32>(out.planes.size() - 1) << MEMBER_SHIFT;
     }
@@ -144,6 +157,7 @@ private:
         s.r = static_cast<float>(ball.r);
         out.spheres.push_back(s);
         spheres++;
+        grain = std::max(grain, length(ball.c - center) + ball.r);
         out.features |= feature_sphere;
         return MEMBER_SPHERE | static_cast<u32>(out.spheres.size() - 1) << MEMBER_SHIFT;
     }
@@ -153,7 +167,8 @@ private:
         LayoutQuadric q{};
         const Mat3 m{{rounded(quadric.m.rows[0]), rounded(quadric.m.rows[1]), rounded(quadric.m.rows[2])}};
         const Mat3 cof = cofactor(m); // of what is stored, so that moments and directions agree
-        store(q.c, quadric.c - center);
+        const Vec3 origin = frame_origin(quadric, center);
+        store(q.c, origin - center);
         for (std::size_t i = 0; i < 3; i++) {
             store(q.m + 3 * i, m.rows[i]);
             store(q.cof + 3 * i, cof.rows[i]);
@@ -163,12 +178,14 @@ private:
         q.w = static_cast<float>(quadric.w);
         out.quadrics.push_back(q);
         quadrics++;
+        grain = std::max(grain, length(origin - center));
         out.features |= feature_quadric;
         return MEMBER_QUADRIC | static_cast<u32>(out.quadrics.size() - 1) << MEMBER_SHIFT;
     }
 
     ObjectBuffers& out;
     Vec3 center;
+    double reach, grain = 0;
     u32 groups_of_this = 0;
     std::size_t planes = 0, spheres = 0, quadrics = 0;
     std::vector<std::pair<const Member*, u32>> known_members;
@@ -231,20 +248,22 @@ ObjectBuffers compile_objects(const Scene& scene, Vec3 eye, double start_radius)
                         "this solid has too many members; expected at most " + std::to_string(most_members_of_object));
         const Form form = normal_form(*object.solid);
         const BoundingSphere bound = bounding_sphere(form);
-        const bool bounded = bound.radius < unbounded;
+        // A bound far larger than what it holds is no place to store that from: a bowl cut off at a slant.
+        const Vec3 origin = anchor(form, eye);
+        const bool bounded = bound.radius <= most_parts * size_of_parts(form, origin, eye);
         // The centre is what float keeps of it: all else in the object is relative to that.
-        const Vec3 center = rounded((bounded ? bound.center : anchor(form, eye)) - eye) + eye;
+        const Vec3 center = rounded((bounded ? bound.center : origin) - eye) + eye;
 
         LayoutObject layout{};
         ObjectReport report;
         report.name = object.name;
         store(layout.center, center - eye);
-        report.radius = bounded ? (bound.radius + length(bound.center - center)) * (1 + bound_margin) : unbounded;
+        report.radius = (bound.radius + length(bound.center - center)) * (1 + bound_margin);
         layout.radius = static_cast<float>(report.radius);
         layout.near = static_cast<float>(bounded ? 1.5 * report.radius : 1.1 * size_of_parts(form, center, eye));
         layout.optics = static_cast<u32>(object.optics);
         layout.texture = object.texture ? static_cast<u32>(*object.texture) : TEXTURE_NONE;
-        ObjectWriter(out, center).write(form, layout, report);
+        ObjectWriter(out, center, report.radius).write(form, layout, report);
         report.bytes = bytes_of(layout, report, out);
         if (layout.program_count > 0) out.features |= feature_program;
         if (layout.program_count > 0 || layout.group_count > 1) out.features |= feature_groups;

@@ -165,33 +165,43 @@ struct Hit {
     u32 object = vacuum, before = vacuum, after = vacuum;
     u32 left = MEMBER_NONE;
     bool beyond_inside = false;
+    double err = 0;
 };
 
 struct Path {
     Vec3 o, d;
     u32 left = MEMBER_NONE;
     bool left_inside = false;
+    double err = 0; ///< of the surface that it leaves
 };
 
 template <typename P>
 std::optional<Hit> next_hit(const Native& scene, const Path& path, const std::vector<u32>& inside, Stats& stats)
 {
-    const NativeRay ray{{path.o.x, path.o.y, path.o.z}, {path.d.x, path.d.y, path.d.z}, path.left, path.left_inside};
+    const NativeRay ray{
+        {path.o.x, path.o.y, path.o.z}, {path.d.x, path.d.y, path.d.z}, path.left, path.left_inside, path.err};
     NativeSurface s{};
     if (P::surface(&scene.buffers, &ray, inside.data(), static_cast<u32>(inside.size()), &s, stats.data()) == 0)
         return std::nullopt;
-    return Hit{s.t,    {s.p[0], s.p[1], s.p[2]}, {s.n[0], s.n[1], s.n[2]}, s.object, s.before, s.after,
-               s.left, s.beyond_inside != 0};
+    return Hit{s.t,
+               {s.p[0], s.p[1], s.p[2]},
+               {s.n[0], s.n[1], s.n[2]},
+               s.object,
+               s.before,
+               s.after,
+               s.left,
+               s.beyond_inside != 0,
+               s.err};
 }
 
 /// The path on the other side of the surface, in direction d; or on this side.
 inline Path beyond(const Hit& hit, Vec3 d)
 {
-    return {hit.p, d, hit.left, hit.beyond_inside};
+    return {hit.p, d, hit.left, hit.beyond_inside, hit.err};
 }
 inline Path back(const Hit& hit, Vec3 d)
 {
-    return {hit.p, d, hit.left, !hit.beyond_inside};
+    return {hit.p, d, hit.left, !hit.beyond_inside, hit.err};
 }
 
 /// The normal on the side that d comes from.
@@ -214,7 +224,7 @@ Vec3 mirrored(Vec3 d, Vec3 n)
 template <typename P>
 Rgb trace(const Native& scene, Vec3 o, Vec3 d, Stats& stats)
 {
-    const NativeRay ray{{o.x, o.y, o.z}, {d.x, d.y, d.z}, MEMBER_NONE, 0};
+    const NativeRay ray{{o.x, o.y, o.z}, {d.x, d.y, d.z}, MEMBER_NONE, 0, 0};
     double rgb[3];
     P::trace(&scene.buffers, &ray, rgb, stats.data());
     return {rgb[0], rgb[1], rgb[2]};

@@ -66,7 +66,10 @@ static inline Span quadric_span(__global const LayoutQuadric* q, const Line* lin
     if (left) {
         const vec x = apply(q->m, sub(line->origin, c));
         const real b = dot3(quadric_half_gradient(q, x), d);
-        return span_left(line, a, a == R(0) ? R(0) : R(-2) * b / a, quadric_slope(q, x, b));
+        const real other = a == R(0) ? R(0) : R(-2) * b / a;
+        /* What the start is off the surface shifts the other end by as much along the line. */
+        const real slope = fmax(quadric_slope(q, x, b), quadric_slope(q, along(x, d, other), b));
+        return span_left(line, a, other, slope);
     }
     const vec o = sub(line->base, c);
     const vec moment = cross_exact(o, line->d);
