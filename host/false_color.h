@@ -15,8 +15,8 @@ struct Scale {
 /// Where a value lies on a scale: 0 (least or less) to 1 (most or more). NaN stays NaN.
 double place_on_scale(double value, const Scale& scale);
 
-/// matplotlib's colour map "magma" at 0..1: black, violet, orange, pale yellow, ever lighter in even steps to the eye.
-/// In linear light; the encoded channels are within 3 / 255 of matplotlib's.
+/// matplotlib's colour map "magma" at 0..1: black, violet, orange, pale yellow, ever lighter, in steps that are even to
+/// the eye. In linear light; the encoded channels are within 3 / 255 of matplotlib's.
 std::array<float, 3> magma(double place);
 
 /// A picture of the plane's size. What is not a number is pure green, which magma never is.
