@@ -1,4 +1,4 @@
-// Names and constants are the paper's (sections 4.1 to 4.3, table 1).
+// Names and constants are the paper's; those of the colours are as in its authors' program (flip-evaluator 1.7).
 #include "host/flip.h"
 
 #include "host/compare.h"
