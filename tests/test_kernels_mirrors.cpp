@@ -14,7 +14,7 @@ using scene::length;
 template <typename P>
 class KernelsMirrors : public ::testing::Test {
 };
-TYPED_TEST_SUITE(KernelsMirrors, Precisions, PrecisionNames);
+TYPED_TEST_SUITE(KernelsMirrors, Machines, MachineNames);
 
 /// Rays that miss: the seen direction is the ray's own.
 Scene mirrors(const std::vector<SolidPtr>& solids)
@@ -50,7 +50,7 @@ TYPED_TEST(KernelsMirrors, AParabolicMirrorSendsParallelRaysThroughItsFocus)
     Stats stats{};
     const Native dish(mirrors({complement(solid(scene::Paraboloid{{0, 0, 0}, {0, 0, .5}}))}));
     Random random(1);
-    for (int i = 0; i < 1000; i++) {
+    for (int i = 0; i < 1000 / P::share; i++) {
         const Vec3 o = to_real<P>(Vec3{uniform(random, -1, 1), uniform(random, -1, 1), 4});
         const auto hit = next_hit<P>(dish, {o, {0, 0, -1}}, {}, stats);
         ASSERT_TRUE(hit);
@@ -89,7 +89,7 @@ TYPED_TEST(KernelsMirrors, ACornerCubeSendsRaysBackExactly)
     const Native sky(mirrors({}));
     Random random(2);
     Stats stats{};
-    for (int i = 0; i < 2000; i++) {
+    for (int i = 0; i < 2000 / P::share; i++) {
         const Vec3 o{uniform(random, .5, 1), uniform(random, .5, 1), uniform(random, .5, 1)};
         const auto d = exact_direction<P>(random_in_box(random, .2) - o);
         if (!d || d->x > 0 || d->y > 0 || d->z > 0) continue;
@@ -106,7 +106,7 @@ TYPED_TEST(KernelsMirrors, ATurnedCornerCubeSendsRaysBack)
     const Native corner(mirrors({plane({0, 0, 0}, x), plane({0, 0, 0}, y), plane({0, 0, 0}, z)}));
     Random random(3);
     Stats stats{};
-    for (int i = 0; i < 2000; i++) {
+    for (int i = 0; i < 2000 / P::share; i++) {
         const Vec3 o = turn * Vec3{uniform(random, .5, 1), uniform(random, .5, 1), uniform(random, .5, 1)};
         const Vec3 d = scene::unit(random_in_box(random, .2) - o);
         // The buffers' normals are floats, whatever the precision.
@@ -166,7 +166,7 @@ TYPED_TEST(KernelsMirrors, ARayThatLeavesASphereNeverMeetsItAgainAndAChordIsExac
     Random random(4);
     Stats stats{};
     double worst = 0;
-    for (int i = 0; i < 20000; i++) {
+    for (int i = 0; i < 20000 / P::share; i++) {
         const auto first = next_hit<P>(ball, {random_direction(random) * 3, random_direction(random)}, {}, stats);
         if (!first) continue;
         // A direction at any angle to the surface, down to a millionth of a radian.
@@ -230,7 +230,7 @@ TYPED_TEST(KernelsMirrors, RaysAtAConesApexGiveNumbers)
     Random random(5);
     Stats stats{};
     for (const double miss : {0., 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, .1, 1.}) {
-        for (int i = 0; i < 500; i++) {
+        for (int i = 0; i < 500 / P::share; i++) {
             const Vec3 o = to_real<P>(random_direction(random) * 4);
             const Vec3 d = scene::unit(random_direction(random) * miss - o);
             const bool inside = o.x * o.x + o.y * o.y < o.z * o.z;
