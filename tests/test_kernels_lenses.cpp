@@ -235,26 +235,56 @@ TYPED_TEST(KernelsLenses, AReversedPathOfTenHopsComesBack)
     expect_sound(back.stats);
 }
 
+/// The angle between a direction and a normal, of floats in a wider type.
+double incidence(Vec3 n, Vec3 d)
+{
+    const auto across = [](double a, double b, double c, double e) {
+        return static_cast<long double>(a) * b - static_cast<long double>(c) * e;
+    };
+    const long double x = across(n.y, d.z, n.z, d.y), y = across(n.z, d.x, n.x, d.z), z = across(n.x, d.y, n.y, d.x);
+    const long double cosine =
+        static_cast<long double>(n.x) * d.x + static_cast<long double>(n.y) * d.y + static_cast<long double>(n.z) * d.z;
+    return static_cast<double>(std::atan2(std::sqrt(x * x + y * y + z * z), std::fabs(cosine)));
+}
+
+/// The worst drift of the angle and out of the plane, in a thousand total reflections in the plane of x and y.
+template <typename P>
+void check_gallery(const Native& ball, double angle, Vec3 x, Vec3 y)
+{
+    const double a = angle * degree;
+    Walker<P> ray{ball, 1.5, {to_real<P>(y * std::sin(a)), to_real<P>(x)}, {0U}};
+    const Vec3 start = ray.path.o, plane = scene::unit(scene::cross(ray.path.o, ray.path.d));
+    double first = 0, drift = 0, out_of_plane = 0;
+    for (int k = 0; k < 1000; k++) {
+        const Hit hit = ray.meet();
+        ASSERT_EQ(hit.after, vacuum) << "after " << k;
+        const double now = incidence(hit.n, ray.path.d);
+        // Where a ray meets the ball is good to a unit times 1/cos; from there on the angle stays.
+        if (k == 0) {
+            first = now;
+            EXPECT_NEAR(first, std::asin(scene::length(scene::cross(start, ray.path.d))), 8 * P::u / std::cos(a));
+        }
+        ASSERT_GT(now, std::asin(1 / 1.5)) << "it escapes after " << k;
+        drift = std::max(drift, std::fabs(now - first));
+        out_of_plane = std::max(out_of_plane, std::fabs(dot(hit.p, plane)));
+        ray.path = back(hit, P::bend(ray.path.d, facing(hit, ray.path.d), 1).reflected);
+    }
+    EXPECT_LE(drift, 1e-5 * P::u / Float::u + 1e-14) << "at " << angle << " degrees";
+    EXPECT_LE(out_of_plane, 1e-4 * P::u / Float::u) << "at " << angle << " degrees";
+    expect_sound(ray.stats);
+}
+
 TYPED_TEST(KernelsLenses, AThousandTotalReflectionsStayInTheirPlaneAndAngle)
 {
     using P = TypeParam;
     const Native ball(glass(sphere({0, 0, 0}, 1), 1.5));
+    Random random(16);
     for (const double angle : {60.0, 89.9}) {
-        const double a = angle * degree;
-        Walker<P> ray{ball, 1.5, {{0, 0, to_real<P>(std::sin(a))}, {1, 0, 0}}, {0U}};
-        double worst = 0, out_of_plane = 0;
-        for (int k = 0; k < 1000; k++) {
-            const Hit hit = ray.meet();
-            ASSERT_EQ(hit.after, vacuum) << "after " << k;
-            const double cosine = std::fabs(dot(hit.n, ray.path.d));
-            worst = std::max(worst, std::fabs(std::atan2(scene::length(scene::cross(hit.n, ray.path.d)), cosine) - a));
-            out_of_plane = std::max(out_of_plane, std::fabs(hit.p.y));
-            ray.path = back(hit, P::bend(ray.path.d, facing(hit, ray.path.d), 1).reflected);
+        check_gallery<P>(ball, angle, {1, 0, 0}, {0, 0, 1});
+        for (int i = 0; i < 16 / P::share; i++) { // in other planes, for their roundings
+            const Vec3 x = random_direction(random), y = scene::unit(scene::cross(x, random_direction(random)));
+            check_gallery<P>(ball, angle, x, y);
         }
-        // 503 units. The goal is 1e-5; what is seen is 1.6e-5 and 2.1e-5 (docs/numerics.md, what is left to do).
-        EXPECT_LE(worst, 3e-5 * P::u / Float::u + 1e-13);
-        EXPECT_LE(out_of_plane, 1e-4 * P::u / Float::u);
-        expect_sound(ray.stats);
     }
 }
 
