@@ -72,6 +72,11 @@ TYPED_TEST(KernelsRoots, ABallOfAnotherSizeIsHitOrMissedRightBeyondFourStepsFrom
     check_rim<TypeParam>({0, 0, 0}, to_real<Float>(.7));
 }
 
+TYPED_TEST(KernelsRoots, ABallBesideTheEyeIsHitOrMissedRightBeyondFourStepsFromItsRim)
+{
+    check_rim<TypeParam>({.4375, -.3125, .1875}, 1);
+}
+
 /// What a ray that starts on a surface must meet: the deflated root of that surface, or nothing (0).
 template <typename W>
 struct Chord {
@@ -89,13 +94,15 @@ void check_deflated(const SolidPtr& solid)
     const Native scene(scene_of({solid}));
     const Leaf<W> leaf = leaf_of<W>(scene, 0);
     const Primitive<W>& q = leaf.members[0];
-    const double near = scene.items<LayoutObject>(BUFFER_OBJECTS)[0].near;
+    const LayoutObject& object = scene.items<LayoutObject>(BUFFER_OBJECTS)[0];
+    const double near = object.near;
+    const Vec3 center{object.center[0], object.center[1], object.center[2]};
     Random random(3);
     Stats stats{};
     std::vector<Query> first, queries;
     while (first.size() < 20000) {
         const Vec3 o = to_real<P>(random_direction(random) * 4);
-        first.push_back({{o, scene::unit(random_in_box(random, near * .75) - o)}});
+        first.push_back({{o, scene::unit(center + random_in_box(random, near * .75) - o)}});
         if (leaf.holds(widen<W>(o))) first.back().inside.push_back(0);
     }
     std::vector<Chord<W>> chords;
@@ -110,7 +117,7 @@ void check_deflated(const SolidPtr& solid)
         if ((p.b < 0) != inward) continue; // the point is a unit off, the ray really leads to the other side
         const bool ahead = (p.a > 0) == inward;
         queries.push_back({{hit->p, *d, hit->left, inward}, std::vector<u32>(inward ? 1 : 0, 0U)});
-        chords.push_back({ahead ? -2 * p.b / p.a : W(0), cosine, scene::length(hit->p) < near});
+        chords.push_back({ahead ? -2 * p.b / p.a : W(0), cosine, scene::length(hit->p - center) < near});
     }
     const Hits hits = P::surfaces(scene, queries, stats);
     double worst = 0, far = 0;
@@ -137,6 +144,10 @@ void check_deflated(const SolidPtr& solid)
 TYPED_TEST(KernelsRoots, AChordOfABallIsExactHoweverFlat)
 {
     check_deflated<TypeParam>(sphere({0, 0, 0}, 1));
+}
+TYPED_TEST(KernelsRoots, AChordOfABallBesideTheEyeIsExactHoweverFlat)
+{
+    check_deflated<TypeParam>(sphere({.4375, -.3125, .1875}, 1));
 }
 TYPED_TEST(KernelsRoots, AChordOfACylinderIsExactHoweverFlat)
 {
