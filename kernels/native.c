@@ -115,6 +115,12 @@ int NATIVE(native_refract)(const double d[3], const double n[3], double w, doubl
     return 1;
 }
 
+void NATIVE(native_reflect)(const double d[3], const double n[3], double out[3])
+{
+    const vec direction = from_doubles(d), normal = from_doubles(n);
+    to_doubles(reflected(direction, normal, -dot3(direction, normal)), out);
+}
+
 double NATIVE(native_diffuse)(u32 law, double cosine, double distance)
 {
     return diffuse(law, (real)cosine, (real)distance);

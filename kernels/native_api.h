@@ -49,10 +49,13 @@ int native_surface_d(const NativeScene* scene, const NativeRay* ray, const u32* 
 void native_trace_f(const NativeScene* scene, const NativeRay* ray, double rgb_out[3], u32* stats);
 void native_trace_d(const NativeScene* scene, const NativeRay* ray, double rgb_out[3], u32* stats);
 
-/* Refraction and reflection of direction d at unit normal n (on the side that d comes from), w = n1/n2.
- * Returns 0 at total reflection. */
+/* Refraction of direction d at unit normal n (on the side that d comes from), w = n1/n2. Returns 0 at total
+ * reflection. */
 int native_refract_f(const double d[3], const double n[3], double w, double out[3], double* reflectance);
 int native_refract_d(const double d[3], const double n[3], double w, double out[3], double* reflectance);
+/* The mirror's direction. */
+void native_reflect_f(const double d[3], const double n[3], double out[3]);
+void native_reflect_d(const double d[3], const double n[3], double out[3]);
 double native_diffuse_f(u32 law, double cosine, double distance);
 double native_diffuse_d(u32 law, double cosine, double distance);
 void native_unpack_filter_f(u32 packed, double out[3]);

@@ -11,7 +11,7 @@ namespace {
 template <typename P>
 class KernelsBooleans : public ::testing::Test {
 };
-TYPED_TEST_SUITE(KernelsBooleans, Precisions, PrecisionNames);
+TYPED_TEST_SUITE(KernelsBooleans, Machines, MachineNames);
 
 using W = long double;
 using Point = Wide3<W>;
@@ -200,7 +200,8 @@ TYPED_TEST(KernelsBooleans, RandomTreesHaveTheirBoundariesWhereMembershipChanges
     Random random(1);
     Tally tally;
     Stats stats{};
-    for (int i = 0; i < 400; i++) check_trees<TypeParam>(random, 1, true, 1 + i % 4, 100, tally, stats);
+    for (int i = 0; i < 400 / TypeParam::share; i++)
+        check_trees<TypeParam>(random, 1, true, 1 + i % 4, 100, tally, stats);
     expect_right(tally, stats);
 }
 
@@ -209,7 +210,8 @@ TYPED_TEST(KernelsBooleans, WhereRandomObjectsOverlapTheFirstIsTheMedium)
     Random random(2);
     Tally tally;
     Stats stats{};
-    for (int i = 0; i < 400; i++) check_trees<TypeParam>(random, 2 + i % 2, false, i % 3, 50, tally, stats);
+    for (int i = 0; i < 400 / TypeParam::share; i++)
+        check_trees<TypeParam>(random, 2 + i % 2, false, i % 3, 50, tally, stats);
     expect_right(tally, stats);
 }
 
@@ -219,7 +221,8 @@ TYPED_TEST(KernelsBooleans, ObjectsThatShareBoundariesCrossThemAsOne)
     Random random(6);
     Tally tally;
     Stats stats{};
-    for (int i = 0; i < 4000; i++) check_trees<TypeParam>(random, 2 + i % 3, true, i % 3, 50, tally, stats);
+    for (int i = 0; i < 4000 / TypeParam::share; i++)
+        check_trees<TypeParam>(random, 2 + i % 3, true, i % 3, 50, tally, stats);
     expect_right(tally, stats);
 }
 
@@ -250,7 +253,7 @@ std::vector<double> events_of(const SolidPtr& solid)
     Random random(3);
     std::vector<double> all;
     Stats stats{};
-    for (int i = 0; i < 2000; i++) {
+    for (int i = 0; i < 2000 / P::share; i++) {
         const Vec3 o = random_direction(random) * 6, d = scene::unit(random_in_box(random, 1.2) - o);
         Path path{o, d};
         std::vector<u32> inside;
@@ -281,7 +284,7 @@ TYPED_TEST(KernelsBooleans, TheSameSetWrittenInAnotherWayHasTheSameEventsBitForB
     EXPECT_EQ(events_of<P>(minus(a, b)), events_of<P>(both(a, complement(b))));
     EXPECT_EQ(events_of<P>(both(a, b)), events_of<P>(complement(either(complement(a), complement(b)))));
     EXPECT_EQ(events_of<P>(either(a, b)), events_of<P>(complement(both(complement(a), complement(b)))));
-    EXPECT_GT(events_of<P>(minus(a, b)).size(), 10000U);
+    EXPECT_GT(events_of<P>(minus(a, b)).size(), 10000U / P::share);
 }
 
 /// The t of each surface on the way straight through, and the media.
@@ -312,7 +315,7 @@ TYPED_TEST(KernelsBooleans, ConcentricShellsAreCrossedInOrder)
         Random random(4);
         Stats stats{};
         unsigned wrong = 0;
-        for (int i = 0; i < 5000; i++) {
+        for (int i = 0; i < 5000 / TypeParam::share; i++) {
             const Vec3 o = random_direction(random) * 2;
             const Vec3 d = scene::unit(random_in_box(random, .5) - o);
             std::vector<u32> inside;
@@ -332,7 +335,7 @@ TYPED_TEST(KernelsBooleans, ConcentricShellsAreCrossedInOrder)
             right = right && !next_hit<P>(scene, path, inside, stats);
             wrong += right ? 0 : 1;
         }
-        EXPECT_EQ(wrong, 0U) << "of 5000 rays at a relative gap of " << gap;
+        EXPECT_EQ(wrong, 0U) << "rays at a relative gap of " << gap;
         expect_sound(stats);
     }
 }
@@ -345,7 +348,7 @@ TYPED_TEST(KernelsBooleans, ADifferenceWithFlushFacesLeavesNoFilm)
         const Native scene(scene_of({solid(scene::Difference{a, b})}));
         Random random(5);
         Stats stats{};
-        for (int i = 0; i < 5000; i++) {
+        for (int i = 0; i < 5000 / TypeParam::share; i++) {
             const Vec3 target{at + uniform(random, -.25, .25), uniform(random, -.25, .25), .5};
             const Vec3 d = scene::unit({uniform(random, -.02, .02), uniform(random, -.02, .02), -1});
             const auto hits = walk<TypeParam>(scene, target - d * 3, d, {}, stats);
