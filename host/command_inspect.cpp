@@ -16,9 +16,9 @@ struct InspectOptions {
     bool json = false, print = false;
 };
 
-constexpr const char* buffer_names[BUFFER_COUNT] = {"frame",  "objects", "groups",   "members", "programs",
-                                                    "planes", "spheres", "quadrics", "optics",  "textures",
-                                                    "images", "texels",  "lights",   "starts"};
+constexpr const char* buffer_names[BUFFER_COUNT] = {"frame",    "objects", "groups",   "members", "programs",
+                                                    "planes",   "spheres", "quadrics", "tori",    "optics",
+                                                    "textures", "images",  "texels",   "lights",  "starts"};
 
 std::vector<std::string> feature_list(const scene::Needs& needs)
 {
@@ -44,8 +44,8 @@ double per_object(const scene::Compiled& compiled)
 nlohmann::ordered_json object_json(const scene::ObjectReport& o)
 {
     nlohmann::ordered_json j = {{"name", o.name},       {"groups", o.groups},     {"planes", o.planes},
-                                {"spheres", o.spheres}, {"quadrics", o.quadrics}, {"program", o.program},
-                                {"radius", nullptr},    {"bytes", o.bytes}};
+                                {"spheres", o.spheres}, {"quadrics", o.quadrics}, {"tori", o.tori},
+                                {"program", o.program}, {"radius", nullptr},      {"bytes", o.bytes}};
     if (std::isfinite(o.radius)) j["radius"] = o.radius;
     return j;
 }
@@ -72,11 +72,11 @@ void print(const SceneSource& source, const scene::Compiled& compiled)
 {
     const scene::Needs& needs = compiled.needs;
     fmt::print("{}: {} objects, {} lights\n\n", source.name, compiled.objects.size(), source.scene.lights.size());
-    fmt::print("{:<24} {:>7} {:>7} {:>8} {:>9} {:>12} {:>8}\n", "object", "groups", "planes", "spheres", "quadrics",
-               "radius", "bytes");
+    fmt::print("{:<24} {:>7} {:>7} {:>8} {:>9} {:>6} {:>12} {:>8}\n", "object", "groups", "planes", "spheres",
+               "quadrics", "tori", "radius", "bytes");
     for (const scene::ObjectReport& o : compiled.objects)
-        fmt::print("{:<24} {:>7} {:>7} {:>8} {:>9} {:>12.6g} {:>8}\n", o.name.empty() ? "-" : o.name, o.groups,
-                   o.planes, o.spheres, o.quadrics, o.radius, o.bytes);
+        fmt::print("{:<24} {:>7} {:>7} {:>8} {:>9} {:>6} {:>12.6g} {:>8}\n", o.name.empty() ? "-" : o.name, o.groups,
+                   o.planes, o.spheres, o.quadrics, o.tori, o.radius, o.bytes);
     fmt::print("\nfeatures   {}\n", fmt::join(feature_list(needs), " "));
     fmt::print("capacities interior {} (of at most {}), stack {}, groups {}\n", needs.interior, compiled.interior_bound,
                needs.stack, needs.groups);

@@ -5,6 +5,7 @@
 #include "kernels/solids/plane.h"
 #include "kernels/solids/quadric.h"
 #include "kernels/solids/sphere.h"
+#include "kernels/solids/torus.h"
 
 /* A boundary met at ray parameter t, which is `at` on the object's line (the sharper of the two from far off). face
  * carries MEMBER_INVERSE where the object lies outside the primitive. */
@@ -29,6 +30,14 @@ static inline Span member_span(const World* world, u32 member, const Line* line)
 #ifdef CLU_QUADRIC
     case MEMBER_QUADRIC: span = quadric_span(&world->quadrics[index], line, left); break;
 #endif
+#ifdef CLU_TORUS
+    case MEMBER_TORUS: {
+        const u32 part = index & 1u;
+        member &= ~MEMBER_PART; /* both parts have the torus's face */
+        span = torus_span(&world->tori[index >> 1], line, part, (member & ~MEMBER_INVERSE) == line->left);
+        break;
+    }
+#endif
     default: break;
     }
     if (member & MEMBER_INVERSE) span.keep = !span.keep;
@@ -50,6 +59,9 @@ static inline vec member_normal(const World* world, u32 member, vec* p)
 #endif
 #ifdef CLU_QUADRIC
     case MEMBER_QUADRIC: n = quadric_normal(&world->quadrics[index], p); break;
+#endif
+#ifdef CLU_TORUS
+    case MEMBER_TORUS: n = torus_normal(&world->tori[index >> 1], p); break;
 #endif
     default: break;
     }

@@ -24,6 +24,7 @@ enum LayoutBuffer {
     BUFFER_PLANES,   /* LayoutPlane */
     BUFFER_SPHERES,  /* LayoutSphere */
     BUFFER_QUADRICS, /* LayoutQuadric */
+    BUFFER_TORI,     /* LayoutTorus */
     BUFFER_OPTICS,   /* LayoutOptics */
     BUFFER_TEXTURES, /* LayoutTexture */
     BUFFER_IMAGES,   /* LayoutImage */
@@ -34,14 +35,15 @@ enum LayoutBuffer {
 };
 
 /* A reference to a primitive: kind | inverse | index. A ray that leaves a surface names it by the reference without
- * its inverse bit. */
+ * its inverse bit and part. */
 #define MEMBER_KIND 3u
 #define MEMBER_PLANE 0u
 #define MEMBER_SPHERE 1u
 #define MEMBER_QUADRIC 2u
-#define MEMBER_TORUS 3u /* reserved: up to four crossings, a later step */
+#define MEMBER_TORUS 3u /* one of the two intervals that a line may have in it: MEMBER_PART says which */
 #define MEMBER_INVERSE 4u
 #define MEMBER_SHIFT 3u
+#define MEMBER_PART 8u /* of a torus only: the second interval, not the first; its index lies a bit higher */
 #define MEMBER_NONE 0xffffffffu
 
 /* Half-space dot(n, p) < h, n unit. */
@@ -66,6 +68,13 @@ typedef struct {
     float g;
     float w;
 } LayoutQuadric;
+
+/* Nearer than minor to the circle of radius major about the axis (unit) through c. */
+typedef struct {
+    float c[3];
+    float axis[3];
+    float major, minor; /* minor < major */
+} LayoutTorus;
 
 /* A convex set (an intersection of members), or one member of any kind; or the complement of it.
  * On a line it is one interval or the complement of one. */

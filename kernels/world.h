@@ -22,6 +22,7 @@ typedef struct {
     __global const LayoutPlane* planes;
     __global const LayoutSphere* spheres;
     __global const LayoutQuadric* quadrics;
+    __global const LayoutTorus* tori;
     __global const LayoutOptics* optics;
     __global const LayoutTexture* textures;
     __global const LayoutImage* images;

@@ -153,6 +153,13 @@ Bound ellipsoid_bound(const Quadric& q)
     return {around(q.c, half), {}};
 }
 
+Bound ring_bound(const Ring& ring)
+{
+    const auto half = [&](double a) { return ring.major * std::sqrt(std::max(0.0, 1 - a * a)) + ring.minor; };
+    return {around(ring.c, {half(ring.axis.x), half(ring.axis.y), half(ring.axis.z)}),
+            {ring.c, ring.major + ring.minor}};
+}
+
 void cut(Bound& bound, const Bound& by)
 {
     bound.box = common(bound.box, by.box);
@@ -174,6 +181,8 @@ Bound intersection_bound(const std::vector<const Group*>& groups)
             } else if (const auto* q = std::get_if<Quadric>(&member)) {
                 cut(bound, ellipsoid_bound(*q));
                 if (q->revolution) cut(bound, {revolution_bound(*q, planes), {}});
+            } else if (const auto* ring = std::get_if<Ring>(&member)) {
+                cut(bound, ring_bound(*ring));
             }
         }
     }
@@ -184,8 +193,14 @@ Bound bound_of(const Form& form)
 {
     if (form.kind == Form::Kind::any) {
         Bound bound = bound_of(form.parts[0]);
-        for (std::size_t i = 1; i < form.parts.size(); i++) bound.box = hull(bound.box, bound_of(form.parts[i]).box);
-        return {bound.box, {}};
+        for (std::size_t i = 1; i < form.parts.size(); i++) {
+            const Bound part = bound_of(form.parts[i]);
+            bound.box = hull(bound.box, part.box);
+            // Parts of one torus share their sphere.
+            if (part.sphere.center != bound.sphere.center || part.sphere.radius != bound.sphere.radius)
+                bound.sphere = {};
+        }
+        return bound;
     }
     std::vector<const Group*> groups;
     Bound bound;

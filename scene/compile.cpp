@@ -115,6 +115,7 @@ Compiled compile(const Scene& scene, const View& view)
     bytes[BUFFER_PLANES] = to_bytes(objects.planes);
     bytes[BUFFER_SPHERES] = to_bytes(objects.spheres);
     bytes[BUFFER_QUADRICS] = to_bytes(objects.quadrics);
+    bytes[BUFFER_TORI] = to_bytes(objects.tori);
     bytes[BUFFER_STARTS] = to_bytes(objects.starts);
     bytes[BUFFER_OPTICS] = to_bytes(optics.optics);
     bytes[BUFFER_TEXTURES] = to_bytes(optics.textures);

@@ -32,7 +32,7 @@ struct Buffers {
 /// What `inspect` prints of one object.
 struct ObjectReport {
     std::string name;
-    std::size_t planes = 0, spheres = 0, quadrics = 0, groups = 0, program = 0;
+    std::size_t planes = 0, spheres = 0, quadrics = 0, tori = 0, groups = 0, program = 0;
     double radius = 0; ///< of the bound; infinite if there is none
     std::size_t bytes = 0;
 };

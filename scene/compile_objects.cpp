@@ -23,6 +23,7 @@ Vec3 anchor(const Form& form, Vec3 eye)
     const Member& member = form.group.members[0];
     if (const auto* plane = std::get_if<HalfSpace>(&member)) return eye - plane->n * (dot(plane->n, eye) - plane->h);
     if (const auto* ball = std::get_if<Ball>(&member)) return ball->c;
+    if (const auto* ring = std::get_if<Ring>(&member)) return ring->c;
     return std::get<Quadric>(member).c;
 }
 
@@ -41,6 +42,8 @@ double size_of_parts(const Form& form, Vec3 center, Vec3 eye)
             double finest = 0;
             for (const Vec3& row : q->m.rows) finest = std::max(finest, length(row));
             size = std::max(size, length(q->c - center) + 1 / finest);
+        } else if (const auto* ring = std::get_if<Ring>(&member)) {
+            size = std::max(size, length(ring->c - center) + ring->major + ring->minor);
         }
     }
     return size;
@@ -52,6 +55,15 @@ Vec3 frame_origin(const Quadric& q, Vec3 center)
     if (q.s.z != 0 || q.g != 0) return q.c;
     const Vec3 axis = unit(cross(q.m.rows[0], q.m.rows[1]));
     return q.c + axis * dot(axis, center - q.c);
+}
+
+/// Whether two members are the same primitive, parts of one torus included.
+bool same_primitive(const Member& a, const Member& b)
+{
+    const auto* x = std::get_if<Ring>(&a);
+    const auto* y = std::get_if<Ring>(&b);
+    if (x == nullptr || y == nullptr) return a == b;
+    return x->c == y->c && x->axis == y->axis && x->major == y->major && x->minor == y->minor;
 }
 
 /// Writes one object's form behind those that are there already.
@@ -78,6 +90,7 @@ public:
         report.planes = planes;
         report.spheres = spheres;
         report.quadrics = quadrics;
+        report.tori = tori;
         object.grain = static_cast<float>(grain);
     }
 
@@ -91,8 +104,8 @@ private:
     u32 add_group(const Group& group)
     {
         const auto begin = static_cast<u32>(out.members.size());
-        // Cheap members first: planes, spheres, quadrics.
-        for (const std::size_t kind : {0u, 1u, 2u})
+        // Cheap members first: planes, spheres, quadrics, tori.
+        for (const std::size_t kind : {0u, 1u, 2u, 3u})
             for (const Member& member : group.members)
                 if (member.index() == kind) out.members.push_back(reference(member));
         const auto count = static_cast<u32>(out.members.size()) - begin;
@@ -131,11 +144,13 @@ private:
     /// A member that the object has already keeps its reference, so that a ray knows it when it leaves it.
     u32 reference(const Member& member)
     {
+        const auto* ring = std::get_if<Ring>(&member);
+        const u32 part = ring != nullptr && ring->part != 0 ? MEMBER_PART : 0;
         for (const auto& [known, known_reference] : known_members)
-            if (*known == member) return known_reference;
+            if (same_primitive(*known, member)) return known_reference | part;
         const u32 r = std::visit([&](const auto& m) { return store_member(m); }, member);
         known_members.emplace_back(&member, r);
-        return r;
+        return r | part;
     }
 
     u32 store_member(const HalfSpace& plane)
@@ -183,11 +198,25 @@ private:
         return MEMBER_QUADRIC | static_cast<u32>(out.quadrics.size() - 1) << MEMBER_SHIFT;
     }
 
+    u32 store_member(const Ring& ring)
+    {
+        LayoutTorus t{};
+        store(t.c, ring.c - center);
+        store(t.axis, ring.axis);
+        t.major = static_cast<float>(ring.major);
+        t.minor = static_cast<float>(ring.minor);
+        out.tori.push_back(t);
+        tori++;
+        grain = std::max(grain, length(ring.c - center) + ring.major + ring.minor);
+        out.features |= feature_torus;
+        return MEMBER_TORUS | static_cast<u32>(out.tori.size() - 1) << (MEMBER_SHIFT + 1);
+    }
+
     ObjectBuffers& out;
     Vec3 center;
     double reach, grain = 0;
     u32 groups_of_this = 0;
-    std::size_t planes = 0, spheres = 0, quadrics = 0;
+    std::size_t planes = 0, spheres = 0, quadrics = 0, tori = 0;
     std::vector<std::pair<const Member*, u32>> known_members;
 };
 
@@ -197,7 +226,7 @@ std::size_t bytes_of(const LayoutObject& object, const ObjectReport& report, con
     for (u32 i = 0; i < object.group_count; i++) members += out.groups[object.group_begin + i].count;
     return sizeof(LayoutObject) + report.groups * sizeof(LayoutGroup) + (members + report.program) * sizeof(u32) +
            report.planes * sizeof(LayoutPlane) + report.spheres * sizeof(LayoutSphere) +
-           report.quadrics * sizeof(LayoutQuadric);
+           report.quadrics * sizeof(LayoutQuadric) + report.tori * sizeof(LayoutTorus);
 }
 
 /// No point lies in more of the intervals than are open at once anywhere.

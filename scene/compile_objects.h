@@ -14,6 +14,7 @@ struct ObjectBuffers {
     std::vector<LayoutPlane> planes;
     std::vector<LayoutSphere> spheres;
     std::vector<LayoutQuadric> quadrics;
+    std::vector<LayoutTorus> tori;
     std::vector<u32> starts;
     std::vector<ObjectReport> reports;
     std::uint32_t features = 0;

@@ -17,6 +17,7 @@ static_assert(sizeof(LayoutSphere) == words(4) && offsetof(LayoutSphere, r) == w
 static_assert(sizeof(LayoutQuadric) == words(26) && offsetof(LayoutQuadric, m) == words(3));
 static_assert(offsetof(LayoutQuadric, cof) == words(12) && offsetof(LayoutQuadric, s) == words(21));
 static_assert(offsetof(LayoutQuadric, g) == words(24) && offsetof(LayoutQuadric, w) == words(25));
+static_assert(sizeof(LayoutTorus) == words(8) && offsetof(LayoutTorus, major) == words(6));
 static_assert(sizeof(LayoutGroup) == words(3));
 static_assert(sizeof(LayoutObject) == words(12) && offsetof(LayoutObject, group_begin) == words(6));
 static_assert(offsetof(LayoutObject, optics) == words(10) && offsetof(LayoutObject, texture) == words(11));

@@ -3,6 +3,7 @@
 /// the compiler turns them into buffers.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -63,6 +64,18 @@ struct Cuboid {
     Vec3 center, z, x, size;
     bool operator==(const Cuboid&) const = default;
 }; ///< size in order x, y, z; 0 in a size: unbounded there
+struct Torus {
+    Vec3 center, axis;
+    double major = 1, minor = 0.25;
+    bool operator==(const Torus&) const = default;
+}; ///< of the axis the direction counts; minor < major
+struct FreeQuadric {
+    /// Of x^2, y^2, z^2, x y, x z, y z, x, y, z and 1: the order of POV-Ray's quadric.
+    std::array<double, 10> q{};
+    bool operator==(const FreeQuadric&) const = default;
+}; ///< where their sum is below 0
+/// Else it is empty, the whole space, or either but for a point, a line or a plane.
+bool has_boundary(const FreeQuadric& quadric);
 
 // Transforms.
 struct Move {
@@ -101,8 +114,8 @@ struct Transformed {
 };
 
 struct Solid {
-    std::variant<Plane, Sphere, Cylinder, Cone, Paraboloid, Hyperboloid, Saddle, Cuboid, Complement, Intersection,
-                 Union, Difference, Transformed>
+    std::variant<Plane, Sphere, Cylinder, Cone, Paraboloid, Hyperboloid, Saddle, Cuboid, Torus, FreeQuadric, Complement,
+                 Intersection, Union, Difference, Transformed>
         node;
     std::string name; ///< empty if it was not named
     Location at;

@@ -29,6 +29,7 @@ std::span<const FeatureName> feature_names()
         FeatureName{feature_media_rank, "media_rank"},
         FeatureName{feature_as_gun, "as_gun"},
         FeatureName{feature_as_rayt, "as_rayt"},
+        FeatureName{feature_torus, "torus"},
     };
     return names;
 }

@@ -29,6 +29,7 @@ enum Feature : std::uint32_t {
     feature_media_rank = 1u << 17,
     feature_as_gun = 1u << 18,
     feature_as_rayt = 1u << 19,
+    feature_torus = 1u << 20,
 };
 
 struct FeatureName {

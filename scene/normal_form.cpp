@@ -1,6 +1,7 @@
 #include "scene/normal_form.h"
 
 #include "scene/error.h"
+#include "scene/free_quadric.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -118,8 +119,14 @@ Group group(const Cuboid& s, const Affine& map)
     return planes;
 }
 
+HalfSpace placed(const HalfSpace& plane, const Affine& map)
+{
+    return half_space(plane.n * plane.h, plane.n, map);
+}
+
 bool is_convex(const Member& member)
 {
+    if (std::holds_alternative<Ring>(member)) return false;
     const auto* q = std::get_if<Quadric>(&member);
     return q == nullptr || q->convex;
 }
@@ -194,8 +201,40 @@ struct Builder {
     Form form(const Primitive& primitive, const Solid& solid, const Affine& map, bool complement)
     {
         Group g = group(primitive, map);
-        if (g.members.empty()) throw Error(solid.at, "this cuboid has no boundary; expected a size other than 0");
+        if (g.members.empty()) throw Error(solid.at, "this solid has no boundary; expected a part of space");
         return {Form::Kind::group, complement ? complemented(std::move(g)) : std::move(g), {}};
+    }
+
+    Form form(const FreeQuadric& node, const Solid& solid, const Affine& map, bool complement)
+    {
+        const auto found = canonical(node);
+        if (!found) throw Error(solid.at, "this quadric has no boundary; expected factors of either sign");
+        if (const auto* pair = std::get_if<PlanePair>(&*found)) return form(*pair, map, complement);
+        const auto* plane = std::get_if<HalfSpace>(&*found);
+        Group g = group_of(plane != nullptr ? placed(*plane, map) : placed(std::get<Quadric>(*found), map));
+        return {Form::Kind::group, complement ? complemented(std::move(g)) : std::move(g), {}};
+    }
+
+    Form form(const PlanePair& pair, const Affine& map, bool complement)
+    {
+        const HalfSpace a = placed(pair.a, map), b = placed(pair.b, map), not_a{-a.n, -a.h}, not_b{-b.n, -b.h};
+        if (!pair.crossing) return {Form::Kind::group, {{a, b}, complement != pair.inverse}, {}};
+        const Group first{{a, complement ? b : not_b}, false}, second{{not_a, complement ? not_b : b}, false};
+        return {Form::Kind::any, {}, {{Form::Kind::group, first, {}}, {Form::Kind::group, second, {}}}};
+    }
+
+    /// A line may have two intervals in a torus: its first or its second.
+    Form form(const Torus& torus, const Solid& solid, const Affine& map, bool complement)
+    {
+        const double scale = uniform_scale(map.linear);
+        if (scale == 0)
+            throw Error(skewed.line != 0 ? skewed : solid.at,
+                        "this scale makes of a torus what is none; expected the same factor in every direction");
+        Ring ring{map * torus.center, unit(map.linear * torus.axis), torus.major * scale, torus.minor * scale};
+        Form parts{complement ? Form::Kind::all : Form::Kind::any, {}, {}};
+        for (ring.part = 0; ring.part < 2; ring.part++)
+            parts.parts.push_back({Form::Kind::group, {{ring}, complement}, {}});
+        return parts;
     }
 
     Form form(const Complement& node, const Solid&, const Affine& map, bool complement)
@@ -227,7 +266,11 @@ struct Builder {
         const double volume = std::fabs(determinant(inner.linear));
         if (!(volume > 1e-30) || !(volume < 1e30))
             throw Error(solid.at, "this transform flattens or blows up the solid; expected factors nearer to 1");
-        return build(*node.of, inner, complement);
+        const Location before = skewed;
+        if (uniform_scale(map.linear) > 0 && uniform_scale(inner.linear) == 0) skewed = solid.at;
+        Form form = build(*node.of, inner, complement);
+        skewed = before;
+        return form;
     }
 
     Form join(const std::vector<SolidPtr>& of, const Affine& map, bool complement, Form::Kind kind)
@@ -237,6 +280,8 @@ struct Builder {
         for (const SolidPtr& part : of) parts.push_back(build(*part, map, complement));
         return joined(kind, std::move(parts));
     }
+
+    Location skewed; ///< the transform that stopped lengths from scaling alike in every direction
 };
 
 using Memo = std::unordered_map<const Solid*, std::size_t>;
@@ -263,6 +308,10 @@ std::size_t count_node(const auto& node, std::size_t limit, Memo& memo)
         return sum;
     } else if constexpr (std::is_same_v<Node, Cuboid>) {
         return 6;
+    } else if constexpr (std::is_same_v<Node, Torus>) {
+        return 2;
+    } else if constexpr (std::is_same_v<Node, FreeQuadric>) {
+        return 4; // if it is two planes that cross
     } else {
         return 1;
     }
@@ -285,6 +334,12 @@ double depth(const HalfSpace& plane, Vec3 p)
 double depth(const Ball& ball, Vec3 p)
 {
     return length(p - ball.c) - ball.r;
+}
+double depth(const Ring& ring, Vec3 p)
+{
+    const Vec3 x = p - ring.c;
+    const double z = dot(ring.axis, x);
+    return std::hypot(length(x - ring.axis * z) - ring.major, z) - ring.minor;
 }
 double depth(const Quadric& q, Vec3 p)
 {

@@ -43,7 +43,15 @@ struct Quadric {
     }
 };
 
-using Member = std::variant<HalfSpace, Ball, Quadric>;
+/// One of the two intervals that a line may have in a torus: within distance minor of the circle of radius major.
+struct Ring {
+    Vec3 c, axis; ///< axis unit
+    double major = 1, minor = 0.25;
+    unsigned part = 0; ///< the first or the second interval
+    bool operator==(const Ring&) const = default;
+};
+
+using Member = std::variant<HalfSpace, Ball, Quadric, Ring>;
 
 /// The intersection of its members (several only if all are convex), or the complement of that.
 struct Group {
@@ -62,7 +70,8 @@ struct Form {
 /// Counts what a solid becomes when everything shared is expanded; stops counting at limit.
 std::size_t expanded_members(const Solid& solid, std::size_t limit);
 
-/// @throws Error at the solid that a transform flattens or that has no boundary
+/// @throws Error at the solid that a transform flattens or that has no boundary, or at a transform that makes of a
+/// torus something else
 Form normal_form(const Solid& solid);
 
 /// Whether the point is inside; nullopt if it lies within `margin` of a boundary that could decide it.

@@ -47,6 +47,17 @@ std::optional<Fault> fault_of_cuboid(const Cuboid& c)
     return {};
 }
 
+std::optional<Fault> fault_of_torus(const Torus& t)
+{
+    if (zero(t.axis)) return zero_vector(1, "the axis");
+    if (!(t.major > 0)) return not_positive(2, "a major radius");
+    if (!(t.minor > 0)) return not_positive(3, "a minor radius");
+    if (!(t.minor < t.major))
+        return Fault{3,
+                     fmt::format("the torus would meet itself; expected a minor radius below the major, {}", t.major)};
+    return {};
+}
+
 /// Whether path lies in root, both canonical.
 bool beneath(const fs::path& path, const fs::path& root)
 {
@@ -92,6 +103,13 @@ std::optional<Fault> fault_of(const decltype(Solid::node)& primitive)
                 return fault_of_frame(p.axis, p.x);
             } else if constexpr (std::is_same_v<Node, Cuboid>) {
                 return fault_of_cuboid(p);
+            } else if constexpr (std::is_same_v<Node, Torus>) {
+                return fault_of_torus(p);
+            } else if constexpr (std::is_same_v<Node, FreeQuadric>) {
+                if (!has_boundary(p)) {
+                    return Fault{0, "this quadric has no boundary: it is below 0 nowhere or everywhere; expected "
+                                    "factors of either sign"};
+                }
             }
             return {};
         },

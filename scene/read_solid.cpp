@@ -9,10 +9,9 @@
 namespace clucida::scene {
 namespace {
 
-const std::vector<std::string_view> primitives{"plane",      "sphere",      "cylinder", "cone",
-                                               "paraboloid", "hyperboloid", "saddle",   "cuboid"};
+const std::vector<std::string_view> primitives{"plane",       "sphere", "cylinder", "cone",  "paraboloid",
+                                               "hyperboloid", "saddle", "cuboid",   "torus", "quadric"};
 const std::vector<std::string_view> transforms{"move", "rotate", "scale"};
-const std::vector<std::string_view> planned{"torus", "quadric"};
 
 bool contains(const std::vector<std::string_view>& words, std::string_view word)
 {
@@ -57,7 +56,6 @@ const std::vector<std::string_view>& SolidReader::reserved()
     static const std::vector<std::string_view> words = [] {
         std::vector<std::string_view> all = primitives;
         all.insert(all.end(), transforms.begin(), transforms.end());
-        all.insert(all.end(), planned.begin(), planned.end());
         return all;
     }();
     return words;
@@ -186,9 +184,6 @@ Measured SolidReader::unary_here()
     if (word.empty()) cursor_.fail_expected("a solid");
     if (contains(primitives, word)) return primitive(word, at);
     if (contains(transforms, word)) return transform(word, at);
-    if (contains(planned, word)) {
-        cursor_.fail(at, fmt::format("{} is not supported yet; expected {}", word, listed(primitives)));
-    }
     return named(word, at);
 }
 
@@ -226,6 +221,15 @@ Measured SolidReader::primitive(std::string_view word, Location at)
         node = Hyperboloid{a.vector("the center"), a.vector("the axis"), a.number("the waist")};
     } else if (word == "saddle") {
         node = Saddle{a.vector("the center"), a.vector("the axis"), a.vector("the x direction")};
+    } else if (word == "torus") {
+        node = Torus{a.vector("the center"), a.vector("the axis"), a.number("the major radius"),
+                     a.number("the minor radius")};
+    } else if (word == "quadric") {
+        const Vec3 squares = a.vector("the factors of x^2, y^2, z^2");
+        const Vec3 products = a.vector("the factors of x y, x z, y z");
+        const Vec3 linear = a.vector("the factors of x, y, z");
+        node = FreeQuadric{{squares.x, squares.y, squares.z, products.x, products.y, products.z, linear.x, linear.y,
+                            linear.z, a.number("the constant")}};
     } else {
         Cuboid cuboid{a.vector("the center"), {0, 0, 1}, {1, 0, 0}, a.vector("the size or the z axis")};
         if (a.more()) {

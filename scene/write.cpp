@@ -209,6 +209,11 @@ Expression SolidWriter::spelled(const Solid& solid, std::string& out)
                     return {fmt::format("cuboid({}, {})", print(n.center), print(n.size))};
                 }
                 return {fmt::format("cuboid({}, {}, {}, {})", print(n.center), print(n.z), print(n.x), print(n.size))};
+            } else if constexpr (std::is_same_v<Node, Torus>) {
+                return {fmt::format("torus({}, {}, {}, {})", print(n.center), print(n.axis), n.major, n.minor)};
+            } else if constexpr (std::is_same_v<Node, FreeQuadric>) {
+                const auto three = [&](std::size_t i) { return print(Vec3{n.q[i], n.q[i + 1], n.q[i + 2]}); };
+                return {fmt::format("quadric({}, {}, {}, {})", three(0), three(3), three(6), n.q[9])};
             } else if constexpr (std::is_same_v<Node, Complement>) {
                 return {fmt::format("!{}", at_least(Level::unary, expression(*n.of, out)))};
             } else if constexpr (std::is_same_v<Node, Intersection>) {

@@ -44,12 +44,50 @@ struct Parabola {
     W a, b, c, a_size, d_size;
 };
 
-/// X = m (p - c); q = sum s X^2 + 2 sum l X + w < 0 inside: planes, spheres and quadrics alike.
+/// a[0] + a[1] t + ...
+template <typename W>
+W polynomial(const std::vector<W>& a, W t)
+{
+    W sum = 0;
+    for (std::size_t i = a.size(); i-- > 0;) sum = sum * t + a[i];
+    return sum;
+}
+
+/// The places between low and high where the polynomial changes its sign: between those where its derivative does, by
+/// bisection that Newton's method hastens.
+template <typename W>
+std::vector<W> sign_changes(const std::vector<W>& a, W low, W high)
+{
+    std::vector<W> stops{low}, slope, found;
+    for (std::size_t i = 1; i < a.size(); i++) slope.push_back(a[i] * W(static_cast<int>(i)));
+    if (slope.size() > 1)
+        for (const W& t : sign_changes(slope, low, high)) stops.push_back(t);
+    stops.push_back(high);
+    for (std::size_t i = 0; i + 1 < stops.size(); i++) {
+        W from = stops[i], to = stops[i + 1];
+        const bool rising = polynomial(a, from) < 0;
+        if (rising == (polynomial(a, to) < 0)) continue;
+        W t = (from + to) / 2;
+        for (int step = 0; step < 200 && from < t && t < to; step++) {
+            const W value = polynomial(a, t);
+            ((value < 0) == rising ? from : to) = t;
+            W next = t - value / polynomial(slope, t);
+            if (!(from < next && next < to) || step % 4 == 3) next = (from + to) / 2;
+            if (next == t) break;
+            t = next;
+        }
+        found.push_back(t);
+    }
+    return found;
+}
+
+/// X = m (p - c); q = sum s X^2 + 2 sum l X + w < 0 inside: planes, spheres and quadrics alike. Or, if it has a major
+/// radius, a torus about m[2].
 template <typename W>
 struct Primitive {
     Wide3<W> c{}, s{}, l{};
     std::array<Wide3<W>, 3> m{Wide3<W>{1, 0, 0}, Wide3<W>{0, 1, 0}, Wide3<W>{0, 0, 1}};
-    W w = 0;
+    W w = 0, major = 0, minor = 0;
 
     Wide3<W> local(const Wide3<W>& p) const
     {
@@ -59,6 +97,10 @@ struct Primitive {
     W value(const Wide3<W>& p) const
     {
         const Wide3<W> x = local(p);
+        if (major > 0) {
+            const W across = root(x[0] * x[0] + x[1] * x[1]) - major;
+            return root(across * across + x[2] * x[2]) - minor;
+        }
         W q = w;
         for (int i = 0; i < 3; i++) q += s[i] * x[i] * x[i] + 2 * l[i] * x[i];
         return q;
@@ -67,6 +109,13 @@ struct Primitive {
     {
         const Wide3<W> x = local(p);
         Wide3<W> g{};
+        if (major > 0) {
+            const W rho = root(x[0] * x[0] + x[1] * x[1]), across = rho - major;
+            const W size = root(across * across + x[2] * x[2]);
+            for (int j = 0; j < 3; j++)
+                g[j] = (across * (x[0] * m[0][j] + x[1] * m[1][j]) / rho + x[2] * m[2][j]) / size;
+            return g;
+        }
         for (int i = 0; i < 3; i++)
             for (int j = 0; j < 3; j++) g[j] += 2 * (s[i] * x[i] + l[i]) * m[i][j];
         return g;
@@ -92,9 +141,32 @@ struct Primitive {
         const W along_d = magnitude(dot(g, d));
         return along_d > 0 ? root(dot(g, g)) / along_d : W(1e30L);
     }
+    /// The quartic (|p|^2 + R^2 - r^2)^2 - 4 R^2 rho^2 from the point nearest to the centre, in a type wide enough;
+    /// false if the line comes within `rounding` of the surface where it turns.
+    bool append_torus_roots(const Wide3<W>& o, const Wide3<W>& d, W rounding, std::vector<Root<W>>& out) const
+    {
+        const W dd = dot(d, d), shift = -dot(Wide3<W>{o[0] - c[0], o[1] - c[1], o[2] - c[2]}, d) / dd;
+        const Wide3<W> near = along(o, d, shift), x = local(near);
+        const Wide3<W> v{dot(m[0], d), dot(m[1], d), dot(m[2], d)};
+        const W far = 2 * (major + minor), k = dot(x, x) + major * major - minor * minor, four = 4 * major * major;
+        if (dot(x, x) > far * far) return true;
+        const W xv = dot(x, v); // 0 but for rounding
+        const std::vector<W> quartic{
+            k * k - four * (x[0] * x[0] + x[1] * x[1]), 4 * k * xv - 2 * four * (x[0] * v[0] + x[1] * v[1]),
+            2 * k * dd + 4 * xv * xv - four * (v[0] * v[0] + v[1] * v[1]), 4 * xv * dd, dd * dd};
+        std::vector<W> slope;
+        for (int i = 1; i < 5; i++) slope.push_back(quartic[i] * i);
+        for (const W& t : sign_changes(quartic, -far, far))
+            out.push_back({shift + t, this->slope(along(near, d, t), d)});
+        bool sure = true;
+        for (const W& t : sign_changes(slope, -far, far))
+            sure = sure && magnitude(value(along(near, d, t))) > rounding * (major + minor);
+        return sure;
+    }
     /// Appends the crossings; false if the discriminant or leading coefficient lies within `rounding` of 0.
     bool append_roots(const Wide3<W>& o, const Wide3<W>& d, W rounding, std::vector<Root<W>>& out) const
     {
+        if (major > 0) return append_torus_roots(o, d, rounding, out);
         const W shift = -dot(Wide3<W>{o[0] - c[0], o[1] - c[1], o[2] - c[2]}, d);
         const Wide3<W> near = along(o, d, shift);
         const Parabola<W> p = parabola(near, d);
@@ -115,7 +187,7 @@ struct Primitive {
     }
 };
 
-/// The primitives of an object's only group, and whether it is their complement.
+/// The primitives of an object's only group (a torus has two), and whether it is their complement.
 template <typename W>
 struct Leaf {
     std::vector<Primitive<W>> members;
@@ -146,6 +218,25 @@ Primitive<W> primitive_of(const Native& scene, const LayoutObject& object, u32 m
         p.w = -W(ball.r) * W(ball.r);
         break;
     }
+    case MEMBER_TORUS: {
+        const LayoutTorus& torus = scene.items<LayoutTorus>(BUFFER_TORI)[index >> 1];
+        Wide3<W> z{}, x{};
+        for (int i = 0; i < 3; i++) {
+            p.c[i] += W(torus.c[i]);
+            z[i] = torus.axis[i];
+        }
+        const W size = root(dot(z, z));
+        for (W& v : z) v /= size;
+        x[magnitude(z[0]) < W(0.5L) ? 0 : 1] = 1;
+        const W up = dot(x, z);
+        for (int i = 0; i < 3; i++) x[i] -= up * z[i];
+        const W side = root(dot(x, x));
+        for (W& v : x) v /= side;
+        p.m = {x, {z[1] * x[2] - z[2] * x[1], z[2] * x[0] - z[0] * x[2], z[0] * x[1] - z[1] * x[0]}, z};
+        p.major = torus.major;
+        p.minor = torus.minor;
+        break;
+    }
     default: {
         const LayoutQuadric& q = scene.items<LayoutQuadric>(BUFFER_QUADRICS)[index];
         for (int i = 0; i < 3; i++) {
@@ -164,8 +255,10 @@ template <typename W>
 Leaf<W> leaf_of(const Native& scene, u32 id)
 {
     const LayoutObject& object = scene.items<LayoutObject>(BUFFER_OBJECTS)[id];
-    EXPECT_EQ(object.group_count, 1U);
     const LayoutGroup& group = scene.items<LayoutGroup>(BUFFER_GROUPS)[object.group_begin];
+    // A torus has two, one for each interval of a line: the first shows it all.
+    const bool torus = (scene.items<u32>(BUFFER_MEMBERS)[group.begin] & MEMBER_KIND) == MEMBER_TORUS;
+    EXPECT_EQ(object.group_count, torus ? 2U : 1U);
     Leaf<W> leaf;
     leaf.inverse = group.inverse != 0;
     for (u32 i = 0; i < group.count; i++)

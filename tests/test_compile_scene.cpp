@@ -28,6 +28,9 @@ TEST(CompileScene, ASceneNeedsWhatItHasAndNothingElse)
     EXPECT_EQ(with(ball), feature_sphere);
     EXPECT_EQ(with(cuboid({0, 5, 0}, {1, 1, 1})), feature_plane);
     EXPECT_EQ(with(solid(Cylinder{{0, 5, 0}, {1, 0, 0}})), feature_quadric);
+    EXPECT_EQ(with(solid(FreeQuadric{{1, 2, 3, 0, 0, 0, 0, 0, 0, -1}})), feature_quadric);
+    EXPECT_EQ(with(solid(FreeQuadric{{0, 0, 0, 0, 0, 0, 0, 0, 1, -1}})), feature_plane);
+    EXPECT_EQ(with(solid(Torus{{0, 5, 0}, {1, 0, 0}, 1, .25})), feature_torus | feature_groups | feature_program);
     EXPECT_EQ(with(solid(Difference{ball, test::sphere({1, 5, 0}, 1)})), feature_sphere | feature_groups);
     EXPECT_EQ(with(solid(Union{{ball, test::sphere({1, 5, 0}, 1)}})),
               feature_sphere | feature_groups | feature_program);

@@ -19,11 +19,28 @@ struct Tree {
     std::function<bool(Vec3)> holds;
 };
 
-Tree random_leaf(Random& random)
+/// By its sum. Half of them have factors of 0 or 1, so that all kinds come up, planes too.
+Tree random_quadric(Random& random)
+{
+    scene::FreeQuadric quadric;
+    auto& q = quadric.q;
+    do {
+        const bool whole = random() % 2 == 0;
+        for (double& x : q) x = whole ? std::round(uniform(random, -1.4, 1.4)) : uniform(random, -1, 1);
+        if (random() % 2 == 0) q[3] = q[4] = q[5] = 0;
+    } while (!scene::has_boundary(quadric));
+    return {solid(quadric), [q](Vec3 p) {
+                return q[0] * p.x * p.x + q[1] * p.y * p.y + q[2] * p.z * p.z + q[3] * p.x * p.y + q[4] * p.x * p.z +
+                           q[5] * p.y * p.z + q[6] * p.x + q[7] * p.y + q[8] * p.z + q[9] <
+                       0;
+            }};
+}
+
+Tree random_leaf(Random& random, bool tori = false)
 {
     const Vec3 c = random_in_box(random, 1), n = scene::unit(random_in_box(random, 1));
     const double r = uniform(random, .4, 1.2);
-    switch (random() % 6) {
+    switch (random() % 8) {
     case 0: return {plane(c, n * r), [=](Vec3 p) { return dot(p - c, n) < 0; }};
     case 1:
         return {cuboid(c, {r, 1, 2 * r}), [=](Vec3 p) {
@@ -38,7 +55,14 @@ Tree random_leaf(Random& random)
                     const double z = dot(p - c, n), across = length(scene::cross(p - c, n));
                     return across * across < 4 * r * z;
                 }};
-    default: return {sphere(c, r), [=](Vec3 p) { return length(p - c) < r; }};
+    case 5: return random_quadric(random);
+    case 6: return {sphere(c, r), [=](Vec3 p) { return length(p - c) < r; }};
+    default: // a torus, or a ball for what is stretched, which a torus may not be
+        if (!tori) return {sphere(c, r), [=](Vec3 p) { return length(p - c) < r; }};
+        return {solid(scene::Torus{c, n * 3, r, r * .4}), [=](Vec3 p) {
+                    const double z = dot(p - c, n), across = length(p - c - n * z) - r;
+                    return across * across + z * z < .16 * r * r;
+                }};
     }
 }
 
@@ -93,6 +117,68 @@ TEST(CompileSolids, TheNormalFormHoldsThePointsThatTheTreeHolds)
     }
     EXPECT_LT(unsure, 20U);
     EXPECT_GT(held, 50000U);
+}
+
+TEST(CompileSolids, ToriAndFreeQuadricsHoldThePointsOfTheirFormulas)
+{
+    Random random(6);
+    unsigned unsure = 0, bounded = 0;
+    for (int i = 0; i < 4000; i++) {
+        Tree tree = i % 2 == 0 ? random_quadric(random) : random_leaf(random, true);
+        if (i % 4 == 2) tree = transformed(random, tree);
+        if (i % 3 == 0) tree = {complement(tree.solid), [tree](Vec3 p) { return !tree.holds(p); }};
+        const scene::Form form = scene::normal_form(*tree.solid);
+        const scene::BoundingSphere bound = scene::bounding_sphere(form);
+        bounded += bound.radius < scene::unbounded ? 1 : 0;
+        for (int k = 0; k < 100; k++) {
+            const Vec3 p = random_in_box(random, 2.5);
+            const std::optional<bool> inside = scene::holds(form, p, 1e-9);
+            if (inside)
+                ASSERT_EQ(*inside, tree.holds(p)) << "solid " << i;
+            else
+                unsure++;
+            if (tree.holds(p)) {
+                ASSERT_LE(length(p - bound.center), bound.radius * (1 + 1e-9)) << "solid " << i;
+            }
+        }
+    }
+    EXPECT_LT(unsure, 20U);
+    EXPECT_GT(bounded, 500U);
+}
+
+TEST(CompileSolids, ATorusIsTwoPartsOfOnePrimitiveAndMayBeTurnedMovedMirroredAndScaled)
+{
+    const SolidPtr ring = solid(scene::Torus{{1, 2, 3}, {0, 0, 5}, 2, .5});
+    const Native native(scene_of({solid(
+        scene::Transformed{scene::Move{{1, 0, 0}},
+                           solid(scene::Transformed{scene::Rotate{{1, 0, 0}, 90},
+                                                    solid(scene::Transformed{scene::Scale{{-2, 2, 2}}, ring})})})}));
+    ASSERT_EQ(native.items<LayoutTorus>(BUFFER_TORI).size(), 1U);
+    const LayoutTorus& torus = native.items<LayoutTorus>(BUFFER_TORI)[0];
+    const LayoutObject& object = native.items<LayoutObject>(BUFFER_OBJECTS)[0];
+    EXPECT_EQ(torus.major, 4);
+    EXPECT_EQ(torus.minor, 1);
+    EXPECT_NEAR(object.center[0] + torus.c[0], -1, 1e-6);
+    EXPECT_NEAR(object.center[1] + torus.c[1], -6, 1e-6);
+    EXPECT_NEAR(object.center[2] + torus.c[2], 4, 1e-6);
+    EXPECT_EQ(std::fabs(torus.axis[1]), 1);
+    EXPECT_NEAR(object.radius, 5, 1e-4);
+    const auto members = native.items<u32>(BUFFER_MEMBERS);
+    ASSERT_EQ(members.size(), 2U);
+    EXPECT_EQ(members[0] ^ members[1], MEMBER_PART);
+}
+
+TEST(CompileSolids, ASlabOrAHalfSpaceWrittenAsAQuadricIsMadeOfPlanes)
+{
+    const auto planes = [](std::array<double, 10> q) {
+        const scene::Form form = scene::normal_form(*solid(scene::FreeQuadric{q}));
+        EXPECT_EQ(form.kind, scene::Form::Kind::group);
+        for (const scene::Member& m : form.group.members) EXPECT_TRUE(std::holds_alternative<scene::HalfSpace>(m));
+        return form.group.members.size();
+    };
+    EXPECT_EQ(planes({0, 0, 0, 0, 0, 0, 0, 0, 2, -1}), 1U);
+    EXPECT_EQ(planes({0, 0, 1, 0, 0, 0, 0, 0, 0, -1}), 2U);
+    EXPECT_EQ(planes({0, -1, 0, 0, 0, 0, 0, 2, 0, 3}), 2U);
 }
 
 TEST(CompileSolids, AMarginMakesPointsNearABoundaryUnsure)
@@ -296,6 +382,18 @@ TEST(CompileSolids, WhatIsTooLargeOrFlatIsAnErrorThatNamesItsPlace)
         scene::make_solid(scene::Transformed{scene::Scale{{1e-15, 1e-15, 1e-15}}, sphere({0, 0, 0}, 1)}, {9, 2});
     EXPECT_NE(error_of(flat, at).find("flattens"), std::string::npos);
     EXPECT_EQ(at.line, 9U);
+    const SolidPtr ring = scene::make_solid(scene::Torus{{0, 0, 0}, {0, 0, 1}, 2, 1}, {3, 3});
+    const SolidPtr turned = scene::make_solid(scene::Transformed{scene::Rotate{{1, 0, 0}, 30}, ring}, {3, 2});
+    const SolidPtr egg = scene::make_solid(scene::Transformed{scene::Scale{{1, 1, 2}}, turned}, {6, 2});
+    EXPECT_NE(error_of(egg, at).find("same factor in every direction"), std::string::npos);
+    EXPECT_EQ(at.line, 6U) << "where it is stretched";
+    EXPECT_EQ(error_of(solid(scene::Transformed{scene::Rotate{{1, 0, 0}, -30},
+                                                solid(scene::Transformed{scene::Scale{{2, 2, 2}}, turned})}),
+                       at),
+              "");
+    const SolidPtr empty = scene::make_solid(scene::FreeQuadric{{1, 1, 1, 0, 0, 0, 0, 0, 0, 1}}, {5, 2});
+    EXPECT_NE(error_of(empty, at).find("boundary"), std::string::npos);
+    EXPECT_EQ(at.line, 5U);
     const SolidPtr nothing = scene::make_solid(scene::Cuboid{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 0, 0}}, {4, 2});
     EXPECT_NE(error_of(nothing, at).find("boundary"), std::string::npos);
     EXPECT_EQ(at.line, 4U);

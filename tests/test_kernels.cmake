@@ -16,6 +16,7 @@ function(clucida_kernel_test name)
 endfunction()
 
 clucida_kernel_test(test_kernels_primitives)
+clucida_kernel_test(test_kernels_torus)
 clucida_kernel_test(test_kernels_booleans)
 clucida_kernel_test(test_kernels_lenses)
 clucida_kernel_test(test_kernels_mirrors)

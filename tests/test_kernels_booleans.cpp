@@ -31,7 +31,7 @@ SolidPtr random_primitive(Random& random)
 {
     const Vec3 c = random_in_box(random, 1), axis = random_direction(random) * uniform(random, .4, 1.2);
     const double size = uniform(random, .5, 1.5);
-    switch (random() % 10) {
+    switch (random() % 12) {
     case 0: return plane(c, axis);
     case 1: return solid(scene::Cylinder{c, axis});
     case 2: return solid(scene::Cone{c, axis});
@@ -40,6 +40,11 @@ SolidPtr random_primitive(Random& random)
     case 5: return solid(scene::Saddle{c, axis, random_direction(random)});
     case 6: return solid(scene::Cuboid{c, axis, random_direction(random), {size, 1.5 * size, .7 * size}});
     case 7: return solid(scene::Transformed{scene::Scale{{size, 1, .6}}, sphere(c, 1)});
+    case 8: return solid(scene::Torus{c, axis, size, size * uniform(random, .2, .9)});
+    case 9: { // a hyperboloid of two sheets
+        const Vec3 s{1 / size, 1, -1.5};
+        return solid(scene::FreeQuadric{{s.x, s.y, s.z, .1, -.2, .1, c.x, c.y, c.z, .25 * size}});
+    }
     default: return sphere(c, size);
     }
 }

@@ -80,6 +80,38 @@ TYPED_TEST(KernelsMirrors, AHyperbolicMirrorMapsOneFocusOntoTheOther)
     expect_sound(stats);
 }
 
+TYPED_TEST(KernelsMirrors, AHyperbolicMirrorOfTwoSheetsSendsWhatIsAimedAtOneFocusThroughTheOther)
+{
+    using P = TypeParam;
+    Stats stats{};
+    // (x^2 + y^2)/b^2 - z^2/a^2 < -1 with a = 1/2, b = 1: the foci are at z = +-sqrt(a^2 + b^2).
+    const Native sheets(mirrors({solid(scene::FreeQuadric{{1, 1, -4, 0, 0, 0, 0, 0, 0, 1}})}));
+    const double focus = to_real<P>(std::sqrt(1.25));
+    const Vec3 behind{0, 0, focus}, before{0, 0, -focus};
+    Random random(9);
+    for (int i = 0; i < 1000; i++) {
+        const Vec3 o = to_real<P>(Vec3{uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -.375, .375)});
+        const Vec3 d = to_real<P>(scene::unit(behind - o));
+        const auto hit = next_hit<P>(sheets, {o, d}, {}, stats);
+        ASSERT_TRUE(hit);
+        EXPECT_GT(hit->p.z, .5 - 4 * P::u);
+        EXPECT_LE(distance_to(before, hit->p, mirrored<P>(d, hit->n)), 32 * P::u);
+        // Between the sheets the light goes back, and meets the other one, aimed at its focus.
+        const Vec3 back_d = mirrored<P>(d, hit->n);
+        const auto next = next_hit<P>(sheets, back(*hit, back_d), {}, stats);
+        ASSERT_TRUE(next);
+        EXPECT_LT(next->p.z, -.5 + 4 * P::u);
+    }
+    // From within a sheet: what comes from its focus seems to come from the other.
+    for (int i = 0; i < 1000; i++) {
+        const Vec3 d = to_real<P>(scene::unit({uniform(random, -1, 1), uniform(random, -1, 1), -1}));
+        const auto hit = next_hit<P>(sheets, {behind, d}, {0U}, stats);
+        ASSERT_TRUE(hit);
+        EXPECT_LE(distance_to(before, hit->p, mirrored<P>(d, hit->n)), 32 * P::u * (1 + length(hit->p)));
+    }
+    expect_sound(stats);
+}
+
 TYPED_TEST(KernelsMirrors, ACornerCubeSendsRaysBackExactly)
 {
     using P = TypeParam;

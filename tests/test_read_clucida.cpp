@@ -75,6 +75,13 @@ TEST(ReadClucida, ANamedSolidIsOneNodeHoweverOftenItIsUsed)
     EXPECT_EQ(of[0]->name, "a");
 }
 
+TEST(ReadClucida, AQuadricHasItsFactorsInPovRaysOrder)
+{
+    const auto node = solid("quadric([1, 2, 3], [4, 5, 6], [7, 8, 9], 10)")->node;
+    EXPECT_EQ(std::get<FreeQuadric>(node), (FreeQuadric{{1, 2, 3, 4, 5, 6, 7, 8, 9, 10}}));
+    EXPECT_EQ(std::get<Torus>(solid("torus([1,2,3], [0,0,4], 5, .5)")->node), (Torus{{1, 2, 3}, {0, 0, 4}, 5, .5}));
+}
+
 TEST(ReadClucida, ShortFormsMeanTheirLongOnes)
 {
     const Cylinder cylinder = std::get<Cylinder>(solid("cylinder([1,2,3], [0,0,4], .5)")->node);

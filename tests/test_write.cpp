@@ -215,7 +215,7 @@ private:
     {
         // The x directions stand off the axes by their z.
         const Vec3 x{1, 0, chance(2) ? 0 : 1.0};
-        switch (below(8)) {
+        switch (below(10)) {
         case 0: return Plane{vector(), direction()};
         case 1: return Sphere{vector(), positive()};
         case 2: return Cylinder{vector(), direction()};
@@ -223,6 +223,17 @@ private:
         case 4: return Paraboloid{vector(), direction()};
         case 5: return Hyperboloid{vector(), direction(), positive()};
         case 6: return Saddle{vector(), {0, 0, positive()}, x};
+        case 7: {
+            const double major = positive();
+            return Torus{vector(), direction(), major, major * .25};
+        }
+        case 8: {
+            FreeQuadric quadric;
+            do
+                for (double& x : quadric.q) x = number();
+            while (!has_boundary(quadric));
+            return quadric;
+        }
         default: return Cuboid{vector(), chance(2) ? Vec3{0, 0, 1} : Vec3{0, 1, 0}, x, {positive(), 1, 0}};
         }
     }
