@@ -38,7 +38,8 @@ double size_of_parts(const Form& form, Vec3 center, Vec3 eye)
         } else if (const auto* q = std::get_if<Quadric>(&member)) {
             double finest = 0;
             for (const Vec3& row : q->m.rows) finest = std::max(finest, length(row));
-            size = std::max(size, length(q->c - center) + 1 / finest);
+            const bool any_size = q->g == 0 && q->w == 0; // a cone looks the same from near and far
+            size = std::max(size, length(q->c - center) + (any_size ? 0 : 1 / finest));
         }
     }
     return size;

@@ -10,3 +10,12 @@ clucida_test(test_kernels_light test_kernels_light.cpp LIBS native_scene)
 clucida_test(test_kernels_texture test_kernels_texture.cpp LIBS native_scene)
 clucida_test(test_compile_solids test_compile_solids.cpp LIBS native_scene)
 clucida_test(test_compile_scene test_compile_scene.cpp LIBS native_scene)
+
+# Many rays against every primitive, judged in a wider type: scripts/nightly takes a hundred times as many.
+find_package(CLI11 REQUIRED)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(Threads REQUIRED)
+add_executable(many_rays many_rays.cpp)
+target_link_libraries(many_rays PRIVATE native_scene clucida_warnings CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json
+                      Threads::Threads)
