@@ -4,8 +4,8 @@
 
 #include "scene/write.h"
 
-#include <CLI/CLI.hpp>
 #include <atomic>
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fstream>
 #include <iostream>
@@ -16,8 +16,8 @@
 namespace clucida::test {
 namespace {
 
-constexpr double most_units = 8;           ///< error x cos <= 8u x size
-constexpr double most_distance = 1e6;      ///< in sizes: events beyond are not judged
+constexpr double most_units = 8;      ///< error x cos <= 8u x size
+constexpr double most_distance = 1e6; ///< in sizes: events beyond are not judged
 constexpr unsigned rays_of_a_solid = 1000;
 constexpr std::size_t kept_cases = 3; ///< of each purpose
 
@@ -28,10 +28,7 @@ constexpr std::array purpose_names{"through", "grazing", "asymptotic", "departin
 /// How often an error of so many units was seen: 1/32 unit a bin, the last for all above.
 struct Histogram {
     std::array<std::uint64_t, 512> bins{};
-    void add(double units)
-    {
-        bins[static_cast<std::size_t>(std::clamp(units * 32, 0.0, 511.0))]++;
-    }
+    void add(double units) { bins[static_cast<std::size_t>(std::clamp(units * 32, 0.0, 511.0))]++; }
     /// The least bound that holds for the given part of them.
     double percentile(double part) const
     {
@@ -51,7 +48,8 @@ struct Tally {
     std::uint64_t over = 0, flips = 0, wrong_side = 0, self_hits = 0, parity = 0, nans = 0, stuck = 0;
     double worst = 0;
     Histogram histogram;
-    std::array<std::vector<std::pair<double, std::string>>, purposes> cases; ///< what broke a bound: the worst, with all to see it again
+    std::array<std::vector<std::pair<double, std::string>>, purposes>
+        cases; ///< what broke a bound: the worst, with all to see it again
 
     std::uint64_t broken() const { return over + flips + wrong_side + self_hits + parity + nans + stuck; }
     void keep(std::size_t purpose, double badness, std::string text)
@@ -97,8 +95,8 @@ public:
         const std::optional<Hit> hit = judge(*path, purpose);
         if (!hit) return;
         for (const bool ahead : {true, false}) {
-            const auto member = static_cast<std::size_t>(std::ranges::find(target.references, hit->left) -
-                                                         target.references.begin());
+            const auto member =
+                static_cast<std::size_t>(std::ranges::find(target.references, hit->left) - target.references.begin());
             const auto away = departing<P>(random, target, member, *hit, ahead);
             if (away) judge(*away, to_leave);
         }
@@ -189,8 +187,8 @@ private:
                            static_cast<double>(target.size), crossings(path), scene::print_scene(scene));
     }
 
-    /// 8u x size is what a hit may be off by, so less than that decides nothing; two boundaries, twice that. Coordinates
-    /// precisions, and what lies closer than that is crossed as one.
+    /// 8u x size is what a hit may be off by, so less than that decides nothing; two boundaries, twice that: they are
+    /// crossed as one. Coordinates are stored as floats in both precisions.
     static constexpr Rounding<W> rounding{W(8 * P::u), W(16 * Float::u)};
 
     Scene scene;
@@ -234,10 +232,11 @@ nlohmann::json to_json(const std::string& name, const Tally& t)
             {"hits", t.hits},
             {"unsure", t.unsure},
             {"far", t.far},
-            {"error", {{"p50", t.histogram.percentile(.5)},
-                       {"p99", t.histogram.percentile(.99)},
-                       {"p99.99", t.histogram.percentile(.9999)},
-                       {"max", t.worst}}},
+            {"error",
+             {{"p50", t.histogram.percentile(.5)},
+              {"p99", t.histogram.percentile(.99)},
+              {"p99.99", t.histogram.percentile(.9999)},
+              {"max", t.worst}}},
             {"over", t.over},
             {"flips", t.flips},
             {"wrong_side", t.wrong_side},
@@ -262,19 +261,21 @@ int run(const Options& options)
 {
     nlohmann::json report = nlohmann::json::array();
     bool right = true;
-    fmt::print("| primitive | rays | departing | hits | unsure | error: 50 % | 99 % | 99.99 % | worst | over 8 | flips | "
-               "wrong side | self-hits | parity | NaN | stuck |\n"
-               "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+    fmt::print(
+        "| primitive | rays | departing | hits | unsure | error: 50 % | 99 % | 99.99 % | worst | over 8 | flips | "
+        "wrong side | self-hits | parity | NaN | stuck |\n"
+        "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     for (const Kind& kind : kinds) {
         if (!options.primitive.empty() && options.primitive != kind.name) continue;
         const auto try_it = options.precision == "double"          ? try_kind<Double>
                             : options.precision == "float-in-quad" ? try_kind<FloatInQuad>
                                                                    : try_kind<Float>;
         const Tally t = try_it(kind, options.rays, options.seed, options.threads);
-        fmt::print("| {} | {} | {} | {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {} | {} | {} | {} | {} | {} | {} |\n",
-                   kind.name, t.rays, t.departing, t.hits, t.unsure + t.far, t.histogram.percentile(.5),
-                   t.histogram.percentile(.99), t.histogram.percentile(.9999), t.worst, t.over, t.flips, t.wrong_side,
-                   t.self_hits, t.parity, t.nans, t.stuck);
+        fmt::print(
+            "| {} | {} | {} | {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {} | {} | {} | {} | {} | {} | {} |\n",
+            kind.name, t.rays, t.departing, t.hits, t.unsure + t.far, t.histogram.percentile(.5),
+            t.histogram.percentile(.99), t.histogram.percentile(.9999), t.worst, t.over, t.flips, t.wrong_side,
+            t.self_hits, t.parity, t.nans, t.stuck);
         std::fflush(stdout);
         for (std::size_t i = 0; i < purposes; i++) {
             if (t.broken_by[i] == 0) continue;

@@ -1,4 +1,5 @@
-/// Which event must come first along a ray, in a type wide enough beside the kernel's, and how far from it the kernel is.
+/// Which event must come first along a ray, in a type wide enough beside the kernel's, and how far from it the kernel
+/// is.
 #pragma once
 
 #include "native_oracle.h"

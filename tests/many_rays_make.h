@@ -131,8 +131,7 @@ std::optional<Path> departing(Random& random, const Target<typename P::Wide>& ta
     const bool to_inside = hit.beyond_inside == ahead;
     const Vec3 n = scene::unit(narrow(g)) * (to_inside ? -1 : 1);
     const double cosine = random() % 2 == 0 ? uniform(random) : log_uniform(random, 1e-6, 1);
-    const auto d =
-        exact_of<P>([&] { return perpendicular(random, n) * std::sqrt(1 - cosine * cosine) + n * cosine; });
+    const auto d = exact_of<P>([&] { return perpendicular(random, n) * std::sqrt(1 - cosine * cosine) + n * cosine; });
     // Rounding may have turned it to the surface's other side.
     if (!d || !(scene::dot(*d, n) > cosine / 2)) return std::nullopt;
     return Path{hit.p, *d, hit.left, to_inside};

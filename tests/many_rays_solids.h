@@ -1,4 +1,5 @@
-/// One random solid of each kind of primitive: any orientation, any size from 2^-13 to 2^20, slender to a factor of ten.
+/// One random solid of each kind of primitive: any orientation, any size from 2^-13 to 2^20, slender to a factor of
+/// ten.
 #pragma once
 
 #include "native_scene.h"
@@ -25,14 +26,23 @@ inline Vec3 random_axis(Random& random, double least, double greatest)
     return random_direction(random) * log_uniform(random, least, greatest);
 }
 
-/// Every kind of primitive. The torus and the free quadric belong at its end.
+/// Every kind of primitive. The torus and the free quadric belong at its end, and in
+/// test_kernels.cmake.
 inline constexpr std::array kinds{
     Kind{"plane", [](Random& r, Vec3 c, double) { return plane(c, random_direction(r)); }},
     Kind{"sphere", [](Random&, Vec3 c, double s) { return sphere(c, s); }},
-    Kind{"cylinder", [](Random& r, Vec3 c, double s) { return solid(scene::Cylinder{c, random_direction(r) * s}); }},
-    Kind{"cone", [](Random& r, Vec3 c, double) { return solid(scene::Cone{c, random_axis(r, .1, 10)}); }},
+    Kind{"cylinder",
+         [](Random& r, Vec3 c, double s) {
+             return solid(scene::Cylinder{c, random_direction(r) * s});
+         }},
+    Kind{"cone",
+         [](Random& r, Vec3 c, double) {
+             return solid(scene::Cone{c, random_axis(r, .1, 10)});
+         }},
     Kind{"paraboloid",
-         [](Random& r, Vec3 c, double s) { return solid(scene::Paraboloid{c, random_axis(r, .05 * s, .5 * s)}); }},
+         [](Random& r, Vec3 c, double s) {
+             return solid(scene::Paraboloid{c, random_axis(r, .05 * s, .5 * s)});
+         }},
     Kind{"hyperboloid",
          [](Random& r, Vec3 c, double s) {
              return solid(scene::Hyperboloid{c, random_axis(r, .1 * s, s), log_uniform(r, .1 * s, s)});
