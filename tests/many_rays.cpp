@@ -28,17 +28,27 @@ constexpr std::array purpose_names{"through", "grazing", "asymptotic", "departin
 /// How often an error of so many units was seen: 1/32 unit a bin, the last for all above.
 struct Histogram {
     std::array<std::uint64_t, 512> bins{};
-    void add(double units) { bins[static_cast<std::size_t>(std::clamp(units * 32, 0.0, 511.0))]++; }
-    /// The least bound that holds for the given part of them.
+    double worst = 0;
+    void add(double units)
+    {
+        worst = std::max(worst, units);
+        bins[static_cast<std::size_t>(std::clamp(units * 32, 0.0, 511.0))]++;
+    }
+    void add(const Histogram& h)
+    {
+        worst = std::max(worst, h.worst);
+        for (std::size_t i = 0; i < bins.size(); i++) bins[i] += h.bins[i];
+    }
+    /// A bound that holds for the given part of them.
     double percentile(double part) const
     {
         std::uint64_t all = 0, below = 0;
         for (const auto n : bins) all += n;
-        for (std::size_t i = 0; i < bins.size(); i++) {
+        for (std::size_t i = 0; i + 1 < bins.size(); i++) {
             below += bins[i];
             if (static_cast<double>(below) >= part * static_cast<double>(all)) return static_cast<double>(i + 1) / 32;
         }
-        return 0;
+        return worst;
     }
 };
 
@@ -46,7 +56,6 @@ struct Tally {
     std::uint64_t rays = 0, departing = 0, hits = 0, unsure = 0, far = 0;
     std::array<std::uint64_t, purposes> broken_by{};
     std::uint64_t over = 0, flips = 0, wrong_side = 0, self_hits = 0, parity = 0, nans = 0, stuck = 0;
-    double worst = 0;
     Histogram histogram;
     std::array<std::vector<std::pair<double, std::string>>, purposes>
         cases; ///< what broke a bound: the worst, with all to see it again
@@ -64,9 +73,8 @@ struct Tally {
         rays += t.rays, departing += t.departing, hits += t.hits, unsure += t.unsure, far += t.far;
         over += t.over, flips += t.flips, wrong_side += t.wrong_side, self_hits += t.self_hits;
         parity += t.parity, nans += t.nans, stuck += t.stuck;
-        worst = std::max(worst, t.worst);
         for (std::size_t i = 0; i < purposes; i++) broken_by[i] += t.broken_by[i];
-        for (std::size_t i = 0; i < histogram.bins.size(); i++) histogram.bins[i] += t.histogram.bins[i];
+        histogram.add(t.histogram);
         for (std::size_t i = 0; i < purposes; i++)
             for (const auto& [badness, text] : t.cases[i]) keep(i, badness, text);
     }
@@ -156,7 +164,6 @@ private:
         }
         const double units = error_units(target, e, o, d, hit->p, P::u);
         tally.histogram.add(units);
-        tally.worst = std::max(tally.worst, units);
         if (!(units <= most_units)) {
             const bool met_itself = leaves && W(hit->t) < e.t / 2;
             broken(met_itself ? tally.self_hits : tally.over, units, fmt::format("off by {} units", units));
@@ -236,7 +243,7 @@ nlohmann::json to_json(const std::string& name, const Tally& t)
              {{"p50", t.histogram.percentile(.5)},
               {"p99", t.histogram.percentile(.99)},
               {"p99.99", t.histogram.percentile(.9999)},
-              {"max", t.worst}}},
+              {"max", t.histogram.worst}}},
             {"over", t.over},
             {"flips", t.flips},
             {"wrong_side", t.wrong_side},
@@ -274,8 +281,8 @@ int run(const Options& options)
         fmt::print(
             "| {} | {} | {} | {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {} | {} | {} | {} | {} | {} | {} |\n",
             kind.name, t.rays, t.departing, t.hits, t.unsure + t.far, t.histogram.percentile(.5),
-            t.histogram.percentile(.99), t.histogram.percentile(.9999), t.worst, t.over, t.flips, t.wrong_side,
-            t.self_hits, t.parity, t.nans, t.stuck);
+            t.histogram.percentile(.99), t.histogram.percentile(.9999), t.histogram.worst, t.over, t.flips,
+            t.wrong_side, t.self_hits, t.parity, t.nans, t.stuck);
         std::fflush(stdout);
         for (std::size_t i = 0; i < purposes; i++) {
             if (t.broken_by[i] == 0) continue;
