@@ -33,3 +33,6 @@ foreach(primitive plane sphere cylinder cone paraboloid hyperboloid saddle cuboi
   set_tests_properties(many_rays_${primitive} many_rays_${primitive}_in_double
                        many_rays_${primitive}_judged_in_113_bits PROPERTIES PROCESSORS 2 TIMEOUT 900)
 endforeach()
+
+find_package(rapidcheck REQUIRED)
+clucida_test(test_properties test_properties.cpp LIBS native_scene rapidcheck)
