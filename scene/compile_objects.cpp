@@ -45,6 +45,13 @@ double size_of_parts(const Form& form, Vec3 center, Vec3 eye)
     return size;
 }
 
+/// Whether the bound's centre serves as the object's. A paraboloid that a plane cuts off only far away is bounded, but
+/// numbers relative to the middle of that would lose what is seen of it from here.
+bool is_compact(const Form& form, const BoundingSphere& bound, Vec3 eye)
+{
+    return bound.radius < unbounded && bound.radius <= 16 * size_of_parts(form, anchor(form, eye), eye);
+}
+
 /// Writes one object's form behind those that are there already.
 class ObjectWriter {
 public:
@@ -233,8 +240,9 @@ ObjectBuffers compile_objects(const Scene& scene, Vec3 eye, double start_radius)
         const Form form = normal_form(*object.solid);
         const BoundingSphere bound = bounding_sphere(form);
         const bool bounded = bound.radius < unbounded;
+        const bool compact = is_compact(form, bound, eye);
         // The centre is what float keeps of it: all else in the object is relative to that.
-        const Vec3 center = rounded((bounded ? bound.center : anchor(form, eye)) - eye) + eye;
+        const Vec3 center = rounded((compact ? bound.center : anchor(form, eye)) - eye) + eye;
 
         LayoutObject layout{};
         ObjectReport report;
@@ -242,7 +250,7 @@ ObjectBuffers compile_objects(const Scene& scene, Vec3 eye, double start_radius)
         store(layout.center, center - eye);
         report.radius = bounded ? (bound.radius + length(bound.center - center)) * (1 + bound_margin) : unbounded;
         layout.radius = static_cast<float>(report.radius);
-        layout.near = static_cast<float>(bounded ? 1.5 * report.radius : 1.1 * size_of_parts(form, center, eye));
+        layout.near = static_cast<float>(compact ? 1.5 * report.radius : 1.1 * size_of_parts(form, center, eye));
         layout.optics = static_cast<u32>(object.optics);
         layout.texture = object.texture ? static_cast<u32>(*object.texture) : TEXTURE_NONE;
         ObjectWriter(out, center).write(form, layout, report);

@@ -9,6 +9,13 @@
 #include <ostream>
 #include <rapidcheck.h>
 
+namespace clucida::scene {
+inline void showValue(const Vec3& v, std::ostream& out)
+{
+    out << '[' << v.x << ", " << v.y << ", " << v.z << ']';
+}
+} // namespace clucida::scene
+
 namespace clucida::test {
 
 /// A solid about the origin, some units large; shown as a scene's text.
