@@ -41,7 +41,8 @@ double size_of_parts(const Form& form, Vec3 center, Vec3 eye)
         } else if (const auto* q = std::get_if<Quadric>(&member)) {
             double finest = 0;
             for (const Vec3& row : q->m.rows) finest = std::max(finest, length(row));
-            size = std::max(size, length(q->c - center) + 1 / finest);
+            const bool any_size = q->g == 0 && q->w == 0; // a cone looks the same from near and far
+            size = std::max(size, length(q->c - center) + (any_size ? 0 : 1 / finest));
         } else if (const auto* ring = std::get_if<Ring>(&member)) {
             size = std::max(size, length(ring->c - center) + ring->major + ring->minor);
         }
@@ -64,6 +65,13 @@ bool same_primitive(const Member& a, const Member& b)
     const auto* y = std::get_if<Ring>(&b);
     if (x == nullptr || y == nullptr) return a == b;
     return x->c == y->c && x->axis == y->axis && x->major == y->major && x->minor == y->minor;
+}
+
+/// Whether the bound's centre serves as the object's. A paraboloid that a plane cuts off only far away is bounded, but
+/// numbers relative to the middle of that would lose what is seen of it from here.
+bool is_compact(const Form& form, const BoundingSphere& bound, Vec3 eye)
+{
+    return bound.radius < unbounded && bound.radius <= most_parts * size_of_parts(form, anchor(form, eye), eye);
 }
 
 /// Writes one object's form behind those that are there already.
@@ -277,11 +285,9 @@ ObjectBuffers compile_objects(const Scene& scene, Vec3 eye, double start_radius)
                         "this solid has too many members; expected at most " + std::to_string(most_members_of_object));
         const Form form = normal_form(*object.solid);
         const BoundingSphere bound = bounding_sphere(form);
-        // A bound far larger than what it holds is no place to store that from: a bowl cut off at a slant.
-        const Vec3 origin = anchor(form, eye);
-        const bool bounded = bound.radius <= most_parts * size_of_parts(form, origin, eye);
+        const bool compact = is_compact(form, bound, eye);
         // The centre is what float keeps of it: all else in the object is relative to that.
-        const Vec3 center = rounded((bounded ? bound.center : origin) - eye) + eye;
+        const Vec3 center = rounded((compact ? bound.center : anchor(form, eye)) - eye) + eye;
 
         LayoutObject layout{};
         ObjectReport report;
@@ -289,7 +295,7 @@ ObjectBuffers compile_objects(const Scene& scene, Vec3 eye, double start_radius)
         store(layout.center, center - eye);
         report.radius = (bound.radius + length(bound.center - center)) * (1 + bound_margin);
         layout.radius = static_cast<float>(report.radius);
-        layout.near = static_cast<float>(bounded ? 1.5 * report.radius : 1.1 * size_of_parts(form, center, eye));
+        layout.near = static_cast<float>(compact ? 1.5 * report.radius : 1.1 * size_of_parts(form, center, eye));
         layout.optics = static_cast<u32>(object.optics);
         layout.texture = object.texture ? static_cast<u32>(*object.texture) : TEXTURE_NONE;
         ObjectWriter(out, center, report.radius).write(form, layout, report);
