@@ -149,9 +149,14 @@ private:
 
     void load(std::size_t begin)
     {
-        const std::uint32_t object = candidates_[next_candidate_++].object;
-        loaded_.push_back({object, alongs_.size()});
-        look_at(world_, line_, object, alongs_, crossings_);
+        const Candidate candidate = candidates_[next_candidate_++];
+        loaded_.push_back({candidate.object, alongs_.size()});
+        const auto before = static_cast<std::ptrdiff_t>(crossings_.size());
+        look_at(world_, line_, candidate.object, alongs_, crossings_);
+        // Outside its box primitives are crossed, but never the object's boundary.
+        crossings_.erase(std::remove_if(crossings_.begin() + before, crossings_.end(),
+                                        [&](const Crossing<Real>& c) { return to_double(c.t) < candidate.entry; }),
+                         crossings_.end());
         std::sort(crossings_.begin() + static_cast<std::ptrdiff_t>(begin), crossings_.end(), earlier<Real>);
     }
 
