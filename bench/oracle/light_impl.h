@@ -75,12 +75,15 @@ Rgb<Real> photograph_at(const Texture<Real>& t, const Vec<Real>& p, const Vec<Re
         at = {(atan2(d.y, d.x) + pi<Real>()) / (Real(2) * pi<Real>()), fraction(Real(d.z / t.size))};
     } else {
         const Vec<Real> d = p - t.origin;
-        at = {fraction(dot(t.across, d)), fraction(dot(t.down, d))};
+        at = {fraction(Real(dot(t.across, d) + t.wrap_x)), fraction(Real(dot(t.down, d) + t.wrap_y))};
+        return look_up(*t.image, Real(at.u * Real(t.image->width)), Real(at.v * Real(t.image->height)), true, true);
     }
     at = {at.u + t.wrap_x, at.v + t.wrap_y};
     if (at.u >= 1) at.u -= Real(1);
     if (at.v >= 1) at.v -= Real(1);
-    return look_up(*t.image, Real(at.u * Real(t.image->width)), Real(at.v * Real(t.image->height)), false, false);
+    // A wrap below 0 may lead outside, where the edge goes on; within, the photograph has itself for a neighbour.
+    return look_up(*t.image, Real(at.u * Real(t.image->width)), Real(at.v * Real(t.image->height)), at.u >= 0,
+                   at.v >= 0);
 }
 
 /// One turn around the horizon of hue h, in 0..1.
