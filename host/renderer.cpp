@@ -1,13 +1,10 @@
 #include "host/renderer.h"
 
 #include "host/errors.h"
-#include "host/kernel_source.h"
 #include "host/launches.h"
 #include "host/stopwatch.h"
 
 #include <fmt/format.h>
-
-#include <array>
 
 namespace clucida::host {
 namespace {
@@ -15,8 +12,6 @@ namespace {
 constexpr unsigned most_capacity = 512;
 constexpr std::size_t most_tile_pixels = std::size_t{1} << 20;
 constexpr std::size_t dummy_bytes = 16; ///< of an empty buffer, which OpenCL does not have
-
-using DeviceBuffers = std::array<cl::Buffer, BUFFER_COUNT>;
 
 void require_room(const scene::Buffers& buffers, const DeviceInfo& device)
 {
@@ -31,19 +26,6 @@ void require_room(const scene::Buffers& buffers, const DeviceInfo& device)
         throw Failure(fmt::format("the scene needs {} bytes; {} has {}", total, describe(device), device.global_bytes));
 }
 
-DeviceBuffers upload(const Renderer& renderer, const scene::Buffers& buffers)
-{
-    require_room(buffers, renderer.device.info);
-    DeviceBuffers out;
-    for (std::size_t i = 0; i < out.size(); ++i) {
-        const auto& bytes = buffers.bytes[i];
-        out[i] = cl::Buffer(renderer.context, CL_MEM_READ_ONLY, std::max(bytes.size(), dummy_bytes));
-        if (!bytes.empty()) renderer.queue.enqueueWriteBuffer(out[i], CL_FALSE, 0, bytes.size(), bytes.data());
-    }
-    renderer.queue.finish();
-    return out;
-}
-
 /// The program of these needs: the one at hand, or a new one.
 void prepare_program(Renderer& renderer, const scene::Needs& needs, const RenderSettings& settings, Frame& frame)
 {
@@ -51,8 +33,8 @@ void prepare_program(Renderer& renderer, const scene::Needs& needs, const Render
         renderer.program.handle() && renderer.needs == needs && renderer.precision == settings.precision;
     if (at_hand) return;
     const std::string options = variant_options(needs, settings.precision, renderer.device.info);
-    renderer.program =
-        build_program(renderer.context, renderer.device, kernel_source(settings.kernel), options, settings.cache);
+    renderer.program = build_program(renderer.context, renderer.device,
+                                     resolve_includes("kernels/render.cl", settings.kernels), options, settings.cache);
     renderer.needs = needs;
     renderer.precision = settings.precision;
     frame.timings.build += renderer.program.build_seconds;
@@ -125,6 +107,19 @@ Renderer make_renderer(const Device& device)
     } catch (const cl::Error& e) {
         throw Failure(fmt::format("{}: {}", describe(device.info), explain(e)));
     }
+}
+
+DeviceBuffers upload(const Renderer& renderer, const scene::Buffers& buffers)
+{
+    require_room(buffers, renderer.device.info);
+    DeviceBuffers out;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const auto& bytes = buffers.bytes[i];
+        out[i] = cl::Buffer(renderer.context, CL_MEM_READ_ONLY, std::max(bytes.size(), dummy_bytes));
+        if (!bytes.empty()) renderer.queue.enqueueWriteBuffer(out[i], CL_FALSE, 0, bytes.size(), bytes.data());
+    }
+    renderer.queue.finish();
+    return out;
 }
 
 Frame render_frame(Renderer& renderer, const scene::Compiled& compiled, const RenderSettings& settings,

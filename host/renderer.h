@@ -2,12 +2,14 @@
 #pragma once
 
 #include "host/devices.h"
+#include "host/kernel_source.h"
 #include "host/picture.h"
 #include "host/program.h"
 #include "host/statistics.h"
 #include "host/tiling.h"
 #include "scene/compile.h"
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -19,10 +21,10 @@ struct RenderSettings {
     unsigned samples = 1; ///< of a pixel, likewise
     Precision precision = Precision::single;
     KernelCache cache = KernelCache::automatic;
-    std::optional<Shape> tile;    ///< else chosen by measuring; rounded up to whole work-groups
-    double launch_seconds = 0.25; ///< what a launch may take, when the tile is chosen
-    unsigned in_flight = 3;       ///< launches given to the device before the first is waited for
-    std::string kernel = "kernels/render.cl";
+    std::optional<Shape> tile;           ///< else chosen by measuring; rounded up to whole work-groups
+    double launch_seconds = 0.25;        ///< what a launch may take, when the tile is chosen
+    unsigned in_flight = 3;              ///< launches given to the device before the first is waited for
+    FileTexts kernels = embedded_kernel; ///< the kernels' text
 };
 
 struct Timings {
@@ -62,6 +64,12 @@ struct Renderer {
 
 /// @throws Failure
 Renderer make_renderer(const Device& device);
+
+/// The scene on the device, in the order of LayoutBuffer.
+using DeviceBuffers = std::array<cl::Buffer, BUFFER_COUNT>;
+
+/// @throws Failure if the device cannot hold it, cl::Error
+DeviceBuffers upload(const Renderer& renderer, const scene::Buffers& buffers);
 
 /// Renders one frame; the picture is the same to the byte whatever the tiles. A capacity that proves too small is
 /// doubled, up to 512, and the frame rendered again.

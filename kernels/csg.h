@@ -11,6 +11,7 @@
  * carries MEMBER_INVERSE where the object lies outside the primitive. */
 typedef struct {
     real t, at, slope;
+    real err; /* how far off rounding may have put it, if it is met at right angles */
     u32 face;
 } Crossing;
 
@@ -152,7 +153,7 @@ static inline int object_holds(const World* world, __global const LayoutObject* 
 /* The end nearest to x at which the object is entered (or left). */
 static inline Crossing nearest_face(const Span* spans, u32 count, real x, int entering)
 {
-    Crossing best = {INFINITE, INFINITE, R(0), MEMBER_NONE};
+    Crossing best = {INFINITE, INFINITE, R(0), R(0), MEMBER_NONE};
     for (u32 i = 0; i < count; i++) {
         const Span* s = &spans[i];
         const int at_lo = s->keep == entering;
@@ -190,6 +191,7 @@ static inline Line make_line(const Ray* ray, __global const LayoutObject* object
     line.origin = line.base = sub(ray->o, center);
     line.start = R(0);
     line.err = ray->err;
+    line.grain = R(object->grain);
     line.left = ray->left;
     line.left_inside = ray->left_inside;
     if (dot3(line.origin, line.origin) > square(R(object->near))) {
@@ -207,14 +209,23 @@ static inline Line make_line(const Ray* ray, __global const LayoutObject* object
  * beyond, the interior was wrong: the crossing then has no face, and is counted. */
 static inline Crossing crossing_here(World* world, const Line* line, Crossing found, real x, real err)
 {
-    const real error = line_error(line, x) + err;
+    const real error = place_error(line, x, err);
     if (!(fabs(found.at - line->start - x) <= R(16) * fmax(found.slope, R(1)) * error)) {
         COUNT(world, STAT_PARITY);
         found.face = MEMBER_NONE;
     }
     found.t = x;
     found.at = line->start + x;
+    found.err = stored_error(line, found.at);
     return found;
+}
+
+/* How far off the crossing may be. The primitive that the ray has left is met as if the ray began right on it: what the
+ * origin is off counts against others that store the same surface. */
+static inline real crossing_error(const Line* line, const Crossing* c)
+{
+    const real err = stored_error(line, c->at);
+    return (c->face & ~MEMBER_INVERSE) == line->left ? err + line->err : err;
 }
 
 /* Where the object's boundary is next crossed by a ray that at parameter x (known to err) is inside it, or not.
@@ -246,6 +257,7 @@ static inline int object_crossing(World* world, __global const LayoutObject* obj
         *crossing = nearest_face(spans, count, at, !inside);
         crossing->at = at;
         crossing->t = at - line->start;
+        crossing->err = crossing_error(line, crossing);
         return 1;
     }
 #endif
@@ -261,6 +273,7 @@ static inline int object_crossing(World* world, __global const LayoutObject* obj
     if (!is_finite(crossing->at)) return 0;
     if (at_lo && (passed(line, s.lo, s.slope_lo, from, err) || passed(line, s.hi, s.slope_hi, s.lo, R(0)))) return 0;
     crossing->t = crossing->at - line->start;
+    crossing->err = crossing_error(line, crossing);
     return 1;
 }
 

@@ -89,6 +89,7 @@ typedef struct {
     float center[3];
     float radius; /* of the bounding sphere; infinite if there is none */
     float near;   /* from farther away than this a ray's line starts near the centre (csg.h); may be infinite */
+    float grain;  /* the largest length among its members: what they were rounded by as they were stored */
     u32 group_begin, group_count;
     u32 program_begin, program_count;
     u32 optics;
@@ -201,5 +202,21 @@ enum LayoutStat {
     STAT_COUNT
 };
 #define STAT_SLOTS 64
+
+/* What a traced segment came to (signature.h), in the order of tracing: a segment, then what its reflection led to,
+ * then what its refraction led to. A branch that is black at once is not traced and has no event. */
+typedef struct {
+    u32 hop;    /* 0: the observer's segment */
+    u32 object; /* whose surface ends the segment; EVENT_NONE: the sky does */
+    u32 face;   /* the primitive, as a ray that leaves it names it */
+    u32 what;   /* EVENT_* bits */
+    u32 lights; /* bit i mod 32: light i lit the surface */
+} LayoutEvent;
+#define EVENT_NONE 0xffffffffu
+#define EVENT_ENTERING 1u  /* the object is entered, not left */
+#define EVENT_REFLECTED 2u /* the reflection was followed */
+#define EVENT_REFRACTED 4u /* the refraction was followed */
+#define EVENT_TOTAL 8u     /* past the critical angle */
+#define EVENT_EMITTED 16u  /* an emitter ended the ray */
 
 #endif

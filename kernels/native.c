@@ -44,7 +44,7 @@ static Ray make_ray(const NativeRay* r)
     ray.dd = dot_exact(ray.d, ray.d);
     ray.left = r->left;
     ray.left_inside = r->left_inside;
-    ray.err = r->left == MEMBER_NONE ? R(0) : position_error(ray.o, R(0));
+    ray.err = (real)r->err;
     return ray;
 }
 
@@ -84,6 +84,7 @@ int NATIVE(native_surface)(const NativeScene* scene, const NativeRay* ray, const
     surface->object = s.object;
     surface->before = s.before;
     surface->after = s.after;
+    surface->err = s.err;
     surface->left = s.left;
     surface->beyond_inside = s.beyond_inside;
     return 1;
@@ -113,6 +114,12 @@ int NATIVE(native_refract)(const double d[3], const double n[3], double w, doubl
     to_doubles(refracted(direction, normal, (real)w, cosine, det), out);
     *reflectance = fresnel_reflectance((real)w, cosine, det);
     return 1;
+}
+
+void NATIVE(native_reflect)(const double d[3], const double n[3], double out[3])
+{
+    const vec direction = from_doubles(d), normal = from_doubles(n);
+    to_doubles(reflected(direction, normal, -dot3(direction, normal)), out);
 }
 
 double NATIVE(native_diffuse)(u32 law, double cosine, double distance)

@@ -15,11 +15,12 @@ typedef struct {
     const void* buffers[BUFFER_COUNT];
 } NativeScene;
 
-/* A ray, and the primitive that it leaves (MEMBER_NONE: none). */
+/* A ray, and the primitive that it leaves (MEMBER_NONE: none). err is that of the surface it leaves, else 0. */
 typedef struct {
     double o[3], d[3];
     u32 left;
     int left_inside;
+    double err;
 } NativeRay;
 
 typedef struct {
@@ -27,6 +28,7 @@ typedef struct {
     u32 object, before, after; /* 0xffffffff: vacuum */
     u32 left;
     int beyond_inside;
+    double err; /* how far p may lie from the boundaries crossed there */
 } NativeSurface;
 
 /* Samples sample_begin..sample_end-1 of the pixels x0..x0+width-1, y0..y0+height-1 (all within the picture): their
@@ -47,10 +49,13 @@ int native_surface_d(const NativeScene* scene, const NativeRay* ray, const u32* 
 void native_trace_f(const NativeScene* scene, const NativeRay* ray, double rgb_out[3], u32* stats);
 void native_trace_d(const NativeScene* scene, const NativeRay* ray, double rgb_out[3], u32* stats);
 
-/* Refraction and reflection of direction d at unit normal n (on the side that d comes from), w = n1/n2.
- * Returns 0 at total reflection. */
+/* Refraction of direction d at unit normal n (on the side that d comes from), w = n1/n2. Returns 0 at total
+ * reflection. */
 int native_refract_f(const double d[3], const double n[3], double w, double out[3], double* reflectance);
 int native_refract_d(const double d[3], const double n[3], double w, double out[3], double* reflectance);
+/* The mirror's direction. */
+void native_reflect_f(const double d[3], const double n[3], double out[3]);
+void native_reflect_d(const double d[3], const double n[3], double out[3]);
 double native_diffuse_f(u32 law, double cosine, double distance);
 double native_diffuse_d(u32 law, double cosine, double distance);
 void native_unpack_filter_f(u32 packed, double out[3]);

@@ -26,14 +26,18 @@ static inline int bound_met(__global const LayoutObject* object, const Ray* ray,
     return dot3(offset, offset) <= radius * radius && from <= middle + radius && to >= middle - radius;
 }
 
-/* Whether rounding cannot tell crossing c, no nearer than the interface, from it. The interface's point is what is in
- * doubt: a boundary met at a slant far beyond it is no less sure for being far. */
-static inline int coincides(const Interface* face, Crossing c, vec o)
+/* Whether rounding cannot tell crossing c, no nearer than the nearest, from it. Each may be off across the ray by its
+ * err, and along it as its slope makes of that; both by what the sum with the line's start rounds away. What is in
+ * doubt is the nearest's place: a boundary met at a slant far beyond it is no less sure for being far. */
+static inline int coincides(Crossing nearest, Crossing c)
 {
-    return c.t - c.slope * position_error(o, face->t) <= face->t;
+    const real beyond = c.t - nearest.t;
+    const real err = fmax(c.err - ROUNDINGS * R(STORED_ROUNDOFF) * beyond, nearest.err);
+    const real along_ray = fma(nearest.slope, nearest.err, R(4) * UNIT_ROUNDOFF * fabs(nearest.t));
+    return beyond <= fma(c.slope, err, along_ray);
 }
 
-static inline void interface_add(Interface* face, u32 id, Crossing crossing, vec o)
+static inline void interface_add(Interface* face, u32 id, Crossing crossing)
 {
     if (crossing.t < face->t) {
         /* The new nearest goes last; what no longer coincides with it goes away. */
@@ -41,17 +45,28 @@ static inline void interface_add(Interface* face, u32 id, Crossing crossing, vec
         face->t = crossing.t;
         face->count = 0;
         for (u32 i = 0; i < before && face->count < INTERFACE_CAPACITY - 1; i++) {
-            if (!coincides(face, face->crossings[i], o)) continue;
+            if (!coincides(crossing, face->crossings[i])) continue;
             face->ids[face->count] = face->ids[i];
             face->crossings[face->count] = face->crossings[i];
             face->count++;
         }
-    } else if (face->count == INTERFACE_CAPACITY || !coincides(face, crossing, o)) {
+    } else if (face->count == INTERFACE_CAPACITY || !coincides(face->crossings[face->count - 1], crossing)) {
         return;
     }
     face->ids[face->count] = id;
     face->crossings[face->count] = crossing;
     face->count++;
+}
+
+/* How far ray parameter t may be from each of the interface's boundaries, at right angles to them. */
+static inline real interface_spread(const Interface* face, real t)
+{
+    real spread = R(0);
+    for (u32 i = 0; i < face->count; i++) {
+        const Crossing c = face->crossings[i];
+        spread = fmax(spread, fabs(c.t - t) / fmax(c.slope, R(1)));
+    }
+    return spread;
 }
 
 /* The nearest crossing of any object from ray parameter x on, and those that rounding cannot tell from it.
@@ -70,7 +85,7 @@ static inline int nearest_interface(World* world, const Ray* ray, real x, real e
         COUNT(world, STAT_TESTS);
         const Line line = make_line(ray, object);
         Crossing crossing;
-        if (object_crossing(world, object, &line, x, err, inside, &crossing)) interface_add(face, id, crossing, ray->o);
+        if (object_crossing(world, object, &line, x, err, inside, &crossing)) interface_add(face, id, crossing);
     }
     return face->count > 0;
 }

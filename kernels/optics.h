@@ -5,9 +5,11 @@
 #include "kernels/color.h"
 #include "kernels/world.h"
 
+/* The mirror's direction at normal n on the side that d comes from, cosine = -d.n. What n lacks in length counts. */
 static inline vec reflected(vec d, vec n, real cosine)
 {
-    return renormalized(along(d, n, R(2) * cosine));
+    const real twice = R(2) * cosine;
+    return renormalized(along(d, n, fma(-twice, length_excess(n), twice)));
 }
 
 #if defined(CLU_AS_GUN) || defined(CLU_AS_RAYT)

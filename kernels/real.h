@@ -77,4 +77,30 @@ static inline real sum_value(Sum s)
     return s.sum + s.error;
 }
 
+/* A number to about twice the precision: hi + lo, hi the number rounded. */
+typedef struct {
+    real hi, lo;
+} Twofold;
+
+static inline Twofold sum_twofold(Sum s)
+{
+    Twofold t;
+    t.hi = s.sum + s.error;
+    t.lo = s.error - (t.hi - s.sum);
+    return t;
+}
+
+static inline void sum_twofold_product(Sum* s, Twofold a, Twofold b)
+{
+    sum_product(s, a.hi, b.hi);
+    s->error += fma(a.hi, b.lo, a.lo * b.hi);
+}
+
+/* a / b, to about two units. */
+static inline real twofold_ratio(Twofold a, Twofold b)
+{
+    const real q = a.hi / b.hi;
+    return q + (fma(-q, b.hi, a.hi) + fma(-q, b.lo, a.lo)) / b.hi;
+}
+
 #endif

@@ -13,6 +13,7 @@ typedef struct {
     real start;  /* parameter of the ray's origin */
     real err;    /* of the origin: Ray's */
     real dd;     /* |d|^2 */
+    real grain;  /* the object's */
     u32 left;
     int left_inside;
 } Line;
@@ -44,22 +45,34 @@ static inline Span span_everything(void)
     return make_span(-INFINITE, INFINITE, R(0), 1);
 }
 
-/* The error of a parameter t on this line, for a surface met at right angles. */
+/* The error of a parameter t on this line, for a surface met at right angles: by arithmetic, and by what members were
+ * stored to, which counts between objects that store the same surface each in its own way. */
 static inline real line_error(const Line* line, real t)
 {
-    return ROUNDINGS * UNIT_ROUNDOFF * (largest(line->base) + fabs(t));
+    return ROUNDINGS * UNIT_ROUNDOFF * fmax(largest(line->base) + fabs(t), line->grain);
+}
+static inline real stored_error(const Line* line, real t)
+{
+    return R(STORED_ROUNDOFF / UNIT_ROUNDOFF) * line_error(line, t);
+}
+
+/* How well a boundary's place about x is known: among the object's own by arithmetic alone (err = 0); where other
+ * objects' boundaries are crossed too, to within err, by how all were stored. */
+static inline real place_error(const Line* line, real x, real err)
+{
+    return err > R(0) ? stored_error(line, x) + err : line_error(line, x);
 }
 
 /* Whether an end at t lies before x, or so near after it that rounding cannot tell: the point at x is (t - x)/slope
- * away from the surface, and known no better than line_error + err. */
+ * away from the surface. */
 static inline int passed(const Line* line, real t, real slope, real x, real err)
 {
-    return t <= x || (is_finite(t) && t - x <= slope * (line_error(line, x) + err));
+    return t <= x || (is_finite(t) && t - x <= slope * place_error(line, x, err));
 }
 
 /* The span of a primitive that the ray has just left: one end is where the ray starts, exactly; the other lies
- * `other` further on, by deflation of the known root. a is the leading coefficient, which tells whether the inside
- * lies between the roots (> 0), outside them (< 0), or whether there is one root only. */
+ * `other` further on, by deflation of the known root, and has the slope. a is the leading coefficient, which tells
+ * whether the inside lies between the roots (> 0), outside them (< 0), or whether there is one root only. */
 static inline Span span_left(const Line* line, real a, real other, real slope)
 {
     const int between = (a > R(0)) == (line->left_inside != 0); /* the far end lies ahead */
@@ -73,7 +86,7 @@ static inline Span span_left(const Line* line, real a, real other, real slope)
     s = between ? make_span(line->start, line->start + other, slope, a > R(0))
                 : make_span(line->start + other, line->start, slope, a > R(0));
     /* The deflated root is good to a few units of itself: never mistake it for the start. */
-    const real cap = R(0.25f) * fabs(other) / (line_error(line, line->start) + line->err);
+    const real cap = R(0.25f) * fabs(other) / place_error(line, line->start, line->err);
     if (between)
         s.slope_hi = fmin(slope, cap);
     else

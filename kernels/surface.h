@@ -18,7 +18,7 @@ typedef struct {
     int beyond_inside; /* whether the far side is the primitive's inside */
 } Surface;
 
-/* err: how far the point may lie from other boundaries that were crossed here, or on the way. */
+/* err: how far the point may lie from boundaries that were crossed here or on the way, its own rounding apart. */
 static inline Surface make_surface(const World* world, const Ray* ray, u32 id, Crossing crossing, real err, u32 before,
                                    u32 after)
 {
@@ -28,7 +28,7 @@ static inline Surface make_surface(const World* world, const Ray* ray, u32 id, C
     s.n = member_normal(world, crossing.face, &p);
     s.p = add(load_vec(world->objects[id].center), p);
     s.t = crossing.t;
-    s.err = position_error(s.p, R(0)) + err;
+    s.err = fmax(position_error(s.p, R(0)), stored_error(&line, crossing.at)) + err;
     s.object = id;
     s.before = before;
     s.after = after;
@@ -54,16 +54,18 @@ static inline int next_surface(World* world, const Ray* ray, Interior* interior,
         if (!nearest_interface(world, ray, x, err, interior, &face)) return 0;
         interior_copy(beyond, interior);
         for (u32 i = 0; i < face.count; i++) interior_toggle(world, beyond, face.ids[i]);
-        const real here = position_error(ray->o, face.t);
+        const real here = position_error(ray->o, face.t) + interface_spread(&face, face.t);
         const u32 before = medium_of(interior), after = medium_of(beyond);
         if (before != after) {
             const u32 shown = before < after ? before : after;
             u32 i = 0;
             while (i + 1 < face.count && face.ids[i] != shown) i++;
             if (face.crossings[i].face != MEMBER_NONE) {
-                const real shared = face.count > 1 || step > 0 ? here + (face.crossings[i].t - face.t) : R(0);
+                const real shared = step > 0 ? here : R(0);
                 const real left = face.t - x <= CLEAR * err ? err : R(0);
-                *surface = make_surface(world, ray, shown, face.crossings[i], fmax(shared, left), before, after);
+                const real spread = interface_spread(&face, face.crossings[i].t);
+                *surface =
+                    make_surface(world, ray, shown, face.crossings[i], fmax(shared, left) + spread, before, after);
                 return 1;
             }
         }

@@ -4,6 +4,7 @@
 #define CLUCIDA_TRACE_H
 
 #include "kernels/optics.h"
+#include "kernels/signature.h"
 #include "kernels/sky.h"
 #include "kernels/surface.h"
 
@@ -112,8 +113,8 @@ static inline rgb sky_through(const World* world, u32 medium, vec d)
 }
 
 #ifdef CLU_LIGHTS
-/* Light that arrives straight from the lights, times the absorption filter. */
-static inline rgb absorbed(World* world, const Surface* s, rgb filter)
+/* Light that arrives straight from the lights, times the absorption filter; *lit tells from which. */
+static inline rgb absorbed(World* world, const Surface* s, rgb filter, u32* lit)
 {
     __global const LayoutFrame* frame = world->frame;
     rgb sum = grey(R(0));
@@ -136,6 +137,7 @@ static inline rgb absorbed(World* world, const Surface* s, rgb filter)
         const real cosine = dot3(s->n, shadow.d);
         if (!(cosine > R(0)) || is_hidden(world, &shadow, distance)) continue;
         sum = rgb_add(sum, rgb_scale(light, diffuse(frame->light_law, cosine, distance)));
+        *lit |= 1u << (i & 31u);
     }
     return sum;
 }
@@ -172,14 +174,16 @@ static inline int follow(World* world, Branch* next, const Surface* s, vec d, in
     return 1;
 }
 
-/* One segment of a branch: adds what it sees to *sum. The branches that follow are left in *branch (returns bit 0) and
- * *other (bit 1). */
-static inline int trace_segment(World* world, Branch* branch, Branch* other, rgb* sum)
+/* One segment of a branch: adds what it sees to *sum. The branches that follow are left in *branch (returned as
+ * EVENT_REFLECTED) and *other (EVENT_REFRACTED). */
+static inline u32 trace_segment(World* world, Branch* branch, Branch* other, rgb* sum)
 {
     Interior beyond;
     Surface s;
+    LayoutEvent event = {world->frame->max_hops - branch->hops, EVENT_NONE, EVENT_NONE, 0, 0};
     const u32 medium = medium_of(&branch->interior);
     if (!next_surface(world, &branch->ray, &branch->interior, &beyond, &s)) {
+        record_event(world, event);
         *sum = rgb_add(*sum, rgb_filter(branch->weight, sky_through(world, medium, branch->ray.d)));
         return 0;
     }
@@ -189,17 +193,22 @@ static inline int trace_segment(World* world, Branch* branch, Branch* other, rgb
     const u32 hops = branch->hops;
     const u32 shown = shown_object(world, &s);
     Finish finish = finish_at(world, shown, &s);
-    int followed = 0;
+    event.object = s.object;
+    event.face = s.left;
+    event.what = s.entering ? EVENT_ENTERING : 0;
     (void)other;
     (void)beyond;
 #ifdef CLU_EMISSION
     if (finish.index < R(0)) {
+        event.what |= EVENT_EMITTED;
+        record_event(world, event);
         *sum = rgb_add(*sum, rgb_filter(weight, finish.refraction));
         return 0;
     }
 #endif
 #ifdef CLU_LIGHTS
-    if (branch->interior.count == 0) *sum = rgb_add(*sum, rgb_filter(weight, absorbed(world, &s, finish.absorption)));
+    if (branch->interior.count == 0)
+        *sum = rgb_add(*sum, rgb_filter(weight, absorbed(world, &s, finish.absorption, &event.lights)));
 #endif
 #ifdef CLU_TRANSPARENT
     if (finish.index > R(0)) {
@@ -216,8 +225,9 @@ static inline int trace_segment(World* world, Branch* branch, Branch* other, rgb
 #endif
             if (follow(world, other, &s, refracted(d, s.facing, w, s.cosine, det), 1, &beyond, filter, throughput,
                        weight, hops))
-                followed |= 2;
+                event.what |= EVENT_REFRACTED;
         } else {
+            event.what |= EVENT_TOTAL;
 #ifndef CLU_AS_GUN
             finish.reflection = rgb_saturate(rgb_add(finish.reflection, finish.refraction));
 #endif
@@ -229,8 +239,9 @@ static inline int trace_segment(World* world, Branch* branch, Branch* other, rgb
 #endif
     if (follow(world, branch, &s, reflected(d, s.facing, s.cosine), 0, &branch->interior, finish.reflection, throughput,
                weight, hops))
-        followed |= 1;
-    return followed;
+        event.what |= EVENT_REFLECTED;
+    record_event(world, event);
+    return event.what & (EVENT_REFLECTED | EVENT_REFRACTED);
 }
 
 /* What arrives along the ray of `branch`, which the trace uses up. */
@@ -245,13 +256,13 @@ static inline rgb trace(World* world, Branch* branch)
     u32 depth = 0;
     for (;;) {
         Branch other;
-        const int followed = trace_segment(world, branch, &other, &sum);
-        if (followed == 3) {
+        const u32 followed = trace_segment(world, branch, &other, &sum);
+        if (followed == (EVENT_REFLECTED | EVENT_REFRACTED)) {
             if (depth < CLU_STACK_CAPACITY)
                 stack[depth++] = other;
             else
                 COUNT(world, STAT_STACK_OVERFLOW);
-        } else if (followed == 2) {
+        } else if (followed == EVENT_REFRACTED) {
             *branch = other;
         } else if (followed == 0) {
             if (depth == 0) return sum;

@@ -5,6 +5,14 @@
 #include "kernels/layout.h"
 #include "kernels/vec.h"
 
+#ifdef CLU_SIGNATURE
+/* A path's events: how many there were, their hash, and the first of them. */
+typedef struct {
+    u32 count, hash, capacity;
+    __global LayoutEvent* log;
+} Signature;
+#endif
+
 typedef struct {
     __global const LayoutFrame* frame;
     __global const LayoutObject* objects;
@@ -22,6 +30,9 @@ typedef struct {
     __global const LayoutLight* lights;
     __global const u32* starts;
     u32 stats[STAT_COUNT];
+#ifdef CLU_SIGNATURE
+    Signature signature;
+#endif
 } World;
 
 #define COUNT(world, stat) ((world)->stats[stat]++)

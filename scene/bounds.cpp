@@ -23,8 +23,15 @@ Box common(const Box& a, const Box& b)
             {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y), std::min(a.high.z, b.high.z)}};
 }
 
+bool is_empty(const Box& b)
+{
+    return b.low.x > b.high.x || b.low.y > b.high.y || b.low.z > b.high.z;
+}
+
 Box hull(const Box& a, const Box& b)
 {
+    if (is_empty(a)) return b;
+    if (is_empty(b)) return a;
     return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y), std::min(a.low.z, b.low.z)},
             {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y), std::max(a.high.z, b.high.z)}};
 }

@@ -13,6 +13,8 @@ namespace {
 
 /// Bounds are widened by this for the rounding of float.
 constexpr double bound_margin = 1e-5;
+/// A bound of more than so many times the parts' size does not make the object's centre.
+constexpr double most_parts = 8;
 
 /// Where an unbounded solid's own frame has its origin.
 Vec3 anchor(const Form& form, Vec3 eye)
@@ -39,12 +41,21 @@ double size_of_parts(const Form& form, Vec3 center, Vec3 eye)
         } else if (const auto* q = std::get_if<Quadric>(&member)) {
             double finest = 0;
             for (const Vec3& row : q->m.rows) finest = std::max(finest, length(row));
-            size = std::max(size, length(q->c - center) + 1 / finest);
+            const bool any_size = q->g == 0 && q->w == 0; // a cone looks the same from near and far
+            size = std::max(size, length(q->c - center) + (any_size ? 0 : 1 / finest));
         } else if (const auto* ring = std::get_if<Ring>(&member)) {
             size = std::max(size, length(ring->c - center) + ring->major + ring->minor);
         }
     }
     return size;
+}
+
+/// A cylinder's frame may stand anywhere on its axis: nearest to the centre it is stored the most exactly.
+Vec3 frame_origin(const Quadric& q, Vec3 center)
+{
+    if (q.s.z != 0 || q.g != 0) return q.c;
+    const Vec3 axis = unit(cross(q.m.rows[0], q.m.rows[1]));
+    return q.c + axis * dot(axis, center - q.c);
 }
 
 /// Whether two members are the same primitive, parts of one torus included.
@@ -56,10 +67,18 @@ bool same_primitive(const Member& a, const Member& b)
     return x->c == y->c && x->axis == y->axis && x->major == y->major && x->minor == y->minor;
 }
 
+/// Whether the bound's centre serves as the object's. A paraboloid that a plane cuts off only far away is bounded, but
+/// numbers relative to the middle of that would lose what is seen of it from here.
+bool is_compact(const Form& form, const BoundingSphere& bound, Vec3 eye)
+{
+    return bound.radius < unbounded && bound.radius <= most_parts * size_of_parts(form, anchor(form, eye), eye);
+}
+
 /// Writes one object's form behind those that are there already.
 class ObjectWriter {
 public:
-    ObjectWriter(ObjectBuffers& buffers, Vec3 center) : out(buffers), center(center) {}
+    /// reach: the radius of the object's bound.
+    ObjectWriter(ObjectBuffers& buffers, Vec3 center, double reach) : out(buffers), center(center), reach(reach) {}
 
     void write(const Form& form, LayoutObject& object, ObjectReport& report)
     {
@@ -80,6 +99,7 @@ public:
         report.spheres = spheres;
         report.quadrics = quadrics;
         report.tori = tori;
+        object.grain = static_cast<float>(grain);
     }
 
 private:
@@ -148,6 +168,7 @@ private:
         p.h = static_cast<float>(plane.h - dot(plane.n, center));
         out.planes.push_back(p);
         planes++;
+        grain = std::max(grain, std::min(std::fabs(double{p.h}), reach));
         out.features |= feature_plane;
         return MEMBER_PLANE | static_cast<u32>(out.planes.size() - 1) << MEMBER_SHIFT;
     }
@@ -159,6 +180,7 @@ private:
         s.r = static_cast<float>(ball.r);
         out.spheres.push_back(s);
         spheres++;
+        grain = std::max(grain, length(ball.c - center) + ball.r);
         out.features |= feature_sphere;
         return MEMBER_SPHERE | static_cast<u32>(out.spheres.size() - 1) << MEMBER_SHIFT;
     }
@@ -168,7 +190,8 @@ private:
         LayoutQuadric q{};
         const Mat3 m{{rounded(quadric.m.rows[0]), rounded(quadric.m.rows[1]), rounded(quadric.m.rows[2])}};
         const Mat3 cof = cofactor(m); // of what is stored, so that moments and directions agree
-        store(q.c, quadric.c - center);
+        const Vec3 origin = frame_origin(quadric, center);
+        store(q.c, origin - center);
         for (std::size_t i = 0; i < 3; i++) {
             store(q.m + 3 * i, m.rows[i]);
             store(q.cof + 3 * i, cof.rows[i]);
@@ -178,6 +201,7 @@ private:
         q.w = static_cast<float>(quadric.w);
         out.quadrics.push_back(q);
         quadrics++;
+        grain = std::max(grain, length(origin - center));
         out.features |= feature_quadric;
         return MEMBER_QUADRIC | static_cast<u32>(out.quadrics.size() - 1) << MEMBER_SHIFT;
     }
@@ -191,12 +215,14 @@ private:
         t.minor = static_cast<float>(ring.minor);
         out.tori.push_back(t);
         tori++;
+        grain = std::max(grain, length(ring.c - center) + ring.major + ring.minor);
         out.features |= feature_torus;
         return MEMBER_TORUS | static_cast<u32>(out.tori.size() - 1) << (MEMBER_SHIFT + 1);
     }
 
     ObjectBuffers& out;
     Vec3 center;
+    double reach, grain = 0;
     u32 groups_of_this = 0;
     std::size_t planes = 0, spheres = 0, quadrics = 0, tori = 0;
     std::vector<std::pair<const Member*, u32>> known_members;
@@ -259,20 +285,20 @@ ObjectBuffers compile_objects(const Scene& scene, Vec3 eye, double start_radius)
                         "this solid has too many members; expected at most " + std::to_string(most_members_of_object));
         const Form form = normal_form(*object.solid);
         const BoundingSphere bound = bounding_sphere(form);
-        const bool bounded = bound.radius < unbounded;
+        const bool compact = is_compact(form, bound, eye);
         // The centre is what float keeps of it: all else in the object is relative to that.
-        const Vec3 center = rounded((bounded ? bound.center : anchor(form, eye)) - eye) + eye;
+        const Vec3 center = rounded((compact ? bound.center : anchor(form, eye)) - eye) + eye;
 
         LayoutObject layout{};
         ObjectReport report;
         report.name = object.name;
         store(layout.center, center - eye);
-        report.radius = bounded ? (bound.radius + length(bound.center - center)) * (1 + bound_margin) : unbounded;
+        report.radius = (bound.radius + length(bound.center - center)) * (1 + bound_margin);
         layout.radius = static_cast<float>(report.radius);
-        layout.near = static_cast<float>(bounded ? 1.5 * report.radius : 1.1 * size_of_parts(form, center, eye));
+        layout.near = static_cast<float>(compact ? 1.5 * report.radius : 1.1 * size_of_parts(form, center, eye));
         layout.optics = static_cast<u32>(object.optics);
         layout.texture = object.texture ? static_cast<u32>(*object.texture) : TEXTURE_NONE;
-        ObjectWriter(out, center).write(form, layout, report);
+        ObjectWriter(out, center, report.radius).write(form, layout, report);
         report.bytes = bytes_of(layout, report, out);
         if (layout.program_count > 0) out.features |= feature_program;
         if (layout.program_count > 0 || layout.group_count > 1) out.features |= feature_groups;

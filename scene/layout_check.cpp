@@ -19,8 +19,8 @@ static_assert(offsetof(LayoutQuadric, cof) == words(12) && offsetof(LayoutQuadri
 static_assert(offsetof(LayoutQuadric, g) == words(24) && offsetof(LayoutQuadric, w) == words(25));
 static_assert(sizeof(LayoutTorus) == words(8) && offsetof(LayoutTorus, major) == words(6));
 static_assert(sizeof(LayoutGroup) == words(3));
-static_assert(sizeof(LayoutObject) == words(11) && offsetof(LayoutObject, group_begin) == words(5));
-static_assert(offsetof(LayoutObject, optics) == words(9) && offsetof(LayoutObject, texture) == words(10));
+static_assert(sizeof(LayoutObject) == words(12) && offsetof(LayoutObject, group_begin) == words(6));
+static_assert(offsetof(LayoutObject, optics) == words(10) && offsetof(LayoutObject, texture) == words(11));
 static_assert(sizeof(LayoutOptics) == words(9) && offsetof(LayoutOptics, extinction) == words(4));
 static_assert(offsetof(LayoutOptics, flags) == words(7) && offsetof(LayoutOptics, rank) == words(8));
 static_assert(sizeof(LayoutImage) == words(4));

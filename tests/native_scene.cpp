@@ -13,11 +13,6 @@ void expect_sound(const Stats& stats)
     EXPECT_EQ(stats[STAT_STUCK], 0U) << "rays given up";
 }
 
-Native::Native(const Scene& scene, const View& view) : compiled(scene::compile(scene, view))
-{
-    for (std::size_t i = 0; i < BUFFER_COUNT; i++) buffers.buffers[i] = compiled.buffers.bytes[i].data();
-}
-
 Scene empty_scene()
 {
     Scene scene;

@@ -1,11 +1,7 @@
-/// What the tests of the kernels share: scenes as values or text, the native core in both precisions, and vectors of
-/// any real type for expected values.
+/// What the tests of the kernels share: scenes as values or text, random numbers, rays and pictures on any machine.
 #pragma once
 
-#include "kernels/native_api.h"
-#include "scene/compile.h"
-#include "scene/linear.h"
-#include "scene/model.h"
+#include "machines.h"
 
 #include <array>
 #include <cmath>
@@ -20,64 +16,21 @@
 namespace clucida::test {
 
 using scene::Optics;
-using scene::Rgb;
 using scene::Scene;
 using scene::SolidPtr;
-using scene::Vec3;
 using scene::View;
 
-__extension__ using Quad = __float128;
-inline constexpr u32 vacuum = 0xffffffffU;
-
-/// The two precisions that the core is built in. u is the unit roundoff, Wide a type that is exact beside it.
-struct Float {
-    using real = float;
-    using Wide = long double;
-    static constexpr double u = 0x1p-24;
-    static constexpr auto render = native_render_f;
-    static constexpr auto surface = native_surface_f;
-    static constexpr auto trace = native_trace_f;
-    static constexpr auto refract = native_refract_f;
-    static constexpr auto diffuse = native_diffuse_f;
-    static constexpr auto unpack_filter = native_unpack_filter_f;
-};
-struct Double {
-    using real = double;
-    using Wide = Quad;
-    static constexpr double u = 0x1p-53;
-    static constexpr auto render = native_render_d;
-    static constexpr auto surface = native_surface_d;
-    static constexpr auto trace = native_trace_d;
-    static constexpr auto refract = native_refract_d;
-    static constexpr auto diffuse = native_diffuse_d;
-    static constexpr auto unpack_filter = native_unpack_filter_d;
-};
-struct PrecisionNames {
+struct MachineNames {
     template <typename P>
     static std::string GetName(int)
     {
-        return std::is_same_v<P, Float> ? "Float" : "Double";
+        return P::name;
     }
 };
-using Precisions = ::testing::Types<Float, Double>;
-
-using Stats = std::array<u32, STAT_COUNT>;
+using Machines = ::testing::Types<Float, Double, FloatOnDevice, DoubleOnDevice>;
 
 /// Nothing that a sound trace never does: parity faults, NaNs, overflows, rays given up.
 void expect_sound(const Stats& stats);
-
-/// A compiled scene, ready for the native core.
-struct Native {
-    scene::Compiled compiled;
-    NativeScene buffers{};
-    explicit Native(const Scene& scene, const View& view = {});
-    template <typename T>
-    std::span<const T> items(LayoutBuffer buffer) const
-    {
-        const auto& bytes = compiled.buffers.bytes[buffer];
-        return {reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
-    }
-};
 
 // Scenes.
 /// An observer at the origin who looks along y, with z up; a black sky, no objects.
@@ -158,40 +111,21 @@ W root(W x)
     return s;
 }
 
-// Rays and pictures through the native core.
-struct Hit {
-    double t = 0;
-    Vec3 p, n;
-    u32 object = vacuum, before = vacuum, after = vacuum;
-    u32 left = MEMBER_NONE;
-    bool beyond_inside = false;
-};
-
-struct Path {
-    Vec3 o, d;
-    u32 left = MEMBER_NONE;
-    bool left_inside = false;
-};
-
+// Rays and pictures.
 template <typename P>
 std::optional<Hit> next_hit(const Native& scene, const Path& path, const std::vector<u32>& inside, Stats& stats)
 {
-    const NativeRay ray{{path.o.x, path.o.y, path.o.z}, {path.d.x, path.d.y, path.d.z}, path.left, path.left_inside};
-    NativeSurface s{};
-    if (P::surface(&scene.buffers, &ray, inside.data(), static_cast<u32>(inside.size()), &s, stats.data()) == 0)
-        return std::nullopt;
-    return Hit{s.t,    {s.p[0], s.p[1], s.p[2]}, {s.n[0], s.n[1], s.n[2]}, s.object, s.before, s.after,
-               s.left, s.beyond_inside != 0};
+    return P::surfaces(scene, std::array{Query{path, inside}}, stats)[0];
 }
 
 /// The path on the other side of the surface, in direction d; or on this side.
 inline Path beyond(const Hit& hit, Vec3 d)
 {
-    return {hit.p, d, hit.left, hit.beyond_inside};
+    return {hit.p, d, hit.left, hit.beyond_inside, hit.err};
 }
 inline Path back(const Hit& hit, Vec3 d)
 {
-    return {hit.p, d, hit.left, !hit.beyond_inside};
+    return {hit.p, d, hit.left, !hit.beyond_inside, hit.err};
 }
 
 /// The normal on the side that d comes from.
@@ -214,10 +148,7 @@ Vec3 mirrored(Vec3 d, Vec3 n)
 template <typename P>
 Rgb trace(const Native& scene, Vec3 o, Vec3 d, Stats& stats)
 {
-    const NativeRay ray{{o.x, o.y, o.z}, {d.x, d.y, d.z}, MEMBER_NONE, 0};
-    double rgb[3];
-    P::trace(&scene.buffers, &ray, rgb, stats.data());
-    return {rgb[0], rgb[1], rgb[2]};
+    return P::traces(scene, std::array{Path{o, d}}, stats)[0];
 }
 
 /// What `sky rgb` shows, read back as the direction it stands for.
@@ -242,7 +173,7 @@ Image render(const Scene& scene, View view)
 {
     const Native native(scene, view);
     Image image{view.width, view.height, std::vector<float>(std::size_t{4} * view.width * view.height), {}};
-    P::render(&native.buffers, 0, 0, view.width, view.height, 0, view.samples, image.rgba.data(), image.stats.data());
+    P::render(native, view, image.rgba.data(), image.stats);
     return image;
 }
 

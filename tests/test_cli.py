@@ -121,6 +121,10 @@ class Cli(unittest.TestCase):
             ["render", "scene.clu", "-o", "-", "--format-out", "bmp"],
             ["render", "scene.clu", "--device", "all", "--nonsense"],
             ["compare", "a.png"],
+            ["compare", "a.png", "a.png", "--map", "flip"],
+            ["compare", "a.png", "a.png", "-o", "b.png", "--map", "nonsense"],
+            ["compare", "a.png", "a.png", "-o", "b.exr"],
+            ["compare", "a.png", "a.png", "--flip", "--ppd", "0"],
         ):
             with self.subTest(arguments=arguments):
                 self.run_program(*arguments, code=2)
@@ -295,6 +299,46 @@ class Cli(unittest.TestCase):
         _, err = self.run_program("compare", "a.png", "b.png", "--fail-above", "1e-9", code=1)
         self.assertIn("differ", err)
         self.assertIsNone(json.loads(self.run_program("compare", "a.png", "a.png", "--json")[0])["psnr"])
+
+    def test_compare_tells_flip_and_percentiles(self):
+        self.render("-o", "a.png")
+        self.render("-o", "b.png", "--samples", "4")
+        found = json.loads(self.run_program("compare", "a.png", "b.png", "--json", "--flip")[0])
+        self.assertTrue(0 < found["flip"] < 1, found)
+        self.assertTrue(found["p50"] <= found["p99"] <= found["p999"] <= found["max_error"], found)
+        self.assertGreater(found["p999"], 0)
+        nearer = json.loads(self.run_program("compare", "a.png", "b.png", "--json", "--flip", "--ppd", "20")[0])
+        self.assertNotEqual(nearer["flip"], found["flip"])
+        self.assertEqual(json.loads(self.run_program("compare", "a.png", "a.png", "--json", "--flip")[0])["flip"], 0)
+        self.assertNotIn("flip", json.loads(self.run_program("compare", "a.png", "b.png", "--json")[0]))
+        out, _ = self.run_program("compare", "a.png", "b.png", "--flip")
+        for word in (b"p50 ", b"p99 ", b"p99.9 ", b"flip "):
+            self.assertIn(b"\n" + word, out)
+
+    def test_compare_draws_where_pictures_differ(self):
+        self.render("-o", "a.png")
+        self.render("-o", "b.png", "--samples", "4")
+        drawn = {}
+        for name in ("error", "flip"):
+            self.run_program("compare", "a.png", "b.png", "-o", "map.png", "--map", name)
+            with open(self.path("map.png"), "rb") as file:
+                drawn[name] = file.read()
+            width, height, text = png_size_and_text(drawn[name])
+            self.assertEqual(width, 32)
+            self.assertGreater(height, 18)
+            self.assertIn("compare a.png b.png --map " + name, text["Command"])
+            out, err = self.run_program("compare", "a.png", "b.png", "-o", "-", "--map", name, "--json")
+            self.assertEqual(out, drawn[name])
+            self.assertEqual("flip" in json.loads(err), name == "flip")
+        self.assertNotEqual(drawn["error"], drawn["flip"])
+        self.run_program("compare", "a.png", "b.png", "-o", "map.ppm")
+        self.run_program("compare", "a.png", "b.png", "-o", "none/map.png", code=1)
+        with open(self.path("map.ppm"), "rb") as file:
+            pixels = file.read()[-32 * height * 3 :]
+        with open("/dev/full", "wb") as full:
+            self.run_program("compare", "a.png", "b.png", "-o", "-", code=1, stdout=full)
+        lit = sum(pixels[i] > 20 for i in range(0, 32 * 18 * 3, 3))
+        self.assertTrue(0 < lit < 32 * 18, lit)
 
     def test_compare_refuses_other_sizes_and_what_is_no_picture(self):
         self.render("-o", "a.png")

@@ -12,7 +12,7 @@ constexpr double degree = std::numbers::pi / 180;
 template <typename P>
 class KernelsLenses : public ::testing::Test {
 };
-TYPED_TEST_SUITE(KernelsLenses, Precisions, PrecisionNames);
+TYPED_TEST_SUITE(KernelsLenses, Machines, MachineNames);
 
 /// A ray on its way through glass of one index, object 0, in vacuum.
 template <typename P>
@@ -34,17 +34,16 @@ struct Walker {
         const Hit hit = meet();
         const Vec3 n = facing(hit, path.d);
         const double w = inside.empty() ? 1 / index : index;
-        double out[3], reflectance = 0;
-        const double d[3]{path.d.x, path.d.y, path.d.z}, normal[3]{n.x, n.y, n.z};
-        if (P::refract(d, normal, w, out, &reflectance) == 0) return false;
-        path = beyond(hit, {out[0], out[1], out[2]});
+        const Bend bend = P::bend(path.d, n, w);
+        if (!bend.passes) return false;
+        path = beyond(hit, bend.refracted);
         inside.assign(inside.empty() ? 1 : 0, 0U);
         return true;
     }
     void reflect()
     {
         const Hit hit = meet();
-        path = back(hit, mirrored<P>(path.d, hit.n));
+        path = back(hit, P::bend(path.d, facing(hit, path.d), 1).reflected);
     }
 };
 
@@ -139,9 +138,8 @@ TYPED_TEST(KernelsLenses, TheCriticalAngleIsRightBeyondTwoUnitsInSine)
         const long double sine = critical + k * static_cast<long double>(P::u);
         if (std::fabs(static_cast<double>(sine - 2 / 3.0L)) <= 2 * P::u) continue;
         const auto cosine = static_cast<double>(std::sqrt(1 - sine * sine));
-        const double d[3]{static_cast<double>(sine), 0, -cosine}, n[3]{0, 0, 1};
-        double out[3], reflectance;
-        EXPECT_EQ(P::refract(d, n, 1.5, out, &reflectance), sine < 2 / 3.0L ? 1 : 0) << k;
+        const Vec3 d{static_cast<double>(sine), 0, -cosine};
+        EXPECT_EQ(P::bend(d, {0, 0, 1}, 1.5).passes, sine < 2 / 3.0L) << k;
     }
 }
 
@@ -170,48 +168,49 @@ TYPED_TEST(KernelsLenses, TheWorldAboveWaterLiesInSnellsWindow)
 TYPED_TEST(KernelsLenses, FresnelsEquationsGiveTheBooksValues)
 {
     using P = TypeParam;
-    double out[3], reflectance = 0;
-    const double down[3]{0, 0, -1}, n[3]{0, 0, 1};
-    ASSERT_EQ(P::refract(down, n, 1 / 1.5, out, &reflectance), 1);
-    EXPECT_NEAR(reflectance, .04, 4 * P::u * .04 + .04 * P::u * 4);
+    const Vec3 n{0, 0, 1};
+    const Bend head_on = P::bend({0, 0, -1}, n, 1 / 1.5);
+    ASSERT_TRUE(head_on.passes);
+    EXPECT_NEAR(head_on.reflectance, .04, 8 * P::u * .04);
     const double brewster = 56.3099324740 * degree;
-    const double d[3]{to_real<P>(std::sin(brewster)), 0, to_real<P>(-std::cos(brewster))};
-    ASSERT_EQ(P::refract(d, n, 1 / 1.5, out, &reflectance), 1);
-    EXPECT_NEAR(reflectance, .1479289941 / 2, 16 * P::u + 1e-10); // no p-polarised light is reflected
+    const Vec3 d = to_real<P>(Vec3{std::sin(brewster), 0, -std::cos(brewster)});
+    const Bend at_brewster = P::bend(d, n, 1 / 1.5);
+    ASSERT_TRUE(at_brewster.passes);
+    // Half of R_s, which is 0.1479289941, and no p-polarised light.
+    EXPECT_NEAR(at_brewster.reflectance, .1479289941 / 2, 16 * P::u + 1e-10);
     // Grazing, everything reflects; at an index of 1 nothing does.
-    const double along[3]{1, 0, 0};
-    ASSERT_EQ(P::refract(along, n, 1 / 1.5, out, &reflectance), 1);
-    EXPECT_EQ(reflectance, 1);
-    ASSERT_EQ(P::refract(d, n, 1, out, &reflectance), 1);
-    EXPECT_EQ(reflectance, 0);
-    for (int i = 0; i < 3; i++) EXPECT_EQ(out[i], d[i]);
+    const Bend grazing = P::bend({1, 0, 0}, n, 1 / 1.5);
+    ASSERT_TRUE(grazing.passes);
+    EXPECT_EQ(grazing.reflectance, 1);
+    const Bend none = P::bend(d, n, 1);
+    ASSERT_TRUE(none.passes);
+    EXPECT_EQ(none.reflectance, 0);
+    EXPECT_EQ(none.refracted, d);
 }
 
 TYPED_TEST(KernelsLenses, RefractedDirectionsObeySnellsLaw)
 {
     using P = TypeParam;
     Random random(7);
-    for (int i = 0; i < 20000; i++) {
+    for (int i = 0; i < 20000 / P::share; i++) {
         const Vec3 d = to_real<P>(random_direction(random));
         Vec3 n = to_real<P>(random_direction(random));
         if (dot(d, n) > 0) n = -n;
         const double w = to_real<P>(log_uniform(random, .4, 2.5));
-        const double din[3]{d.x, d.y, d.z}, nin[3]{n.x, n.y, n.z};
-        double out[3], reflectance;
         const Vec3 across = scene::cross(d, n) * w; // sin of the angle of refraction, and its plane
         const double sine = scene::length(across);
-        const bool passes = P::refract(din, nin, w, out, &reflectance) != 0;
+        const Bend bend = P::bend(d, n, w);
         if (std::fabs(sine - 1) < 8 * P::u) continue;
-        ASSERT_EQ(passes, sine < 1) << sine;
-        if (!passes) continue;
-        const Vec3 o{out[0], out[1], out[2]};
+        ASSERT_EQ(bend.passes, sine < 1) << sine;
+        if (!bend.passes) continue;
+        const Vec3 o = bend.refracted;
         // n and d are unit to half a unit each component, which w passes on, near the critical angle by more.
         const double tolerance = 8 * P::u * (1 + w);
         EXPECT_LE(scene::length(scene::cross(o, n) - across), tolerance);
         EXPECT_NEAR(dot(o, o), 1, 4 * P::u);
         EXPECT_LE(dot(o, n), 0);
-        EXPECT_GE(reflectance, 0);
-        EXPECT_LE(reflectance, 1);
+        EXPECT_GE(bend.reflectance, 0);
+        EXPECT_LE(bend.reflectance, 1);
     }
 }
 
@@ -236,26 +235,56 @@ TYPED_TEST(KernelsLenses, AReversedPathOfTenHopsComesBack)
     expect_sound(back.stats);
 }
 
+/// The angle between a direction and a normal, of floats in a wider type.
+double incidence(Vec3 n, Vec3 d)
+{
+    const auto across = [](double a, double b, double c, double e) {
+        return static_cast<long double>(a) * b - static_cast<long double>(c) * e;
+    };
+    const long double x = across(n.y, d.z, n.z, d.y), y = across(n.z, d.x, n.x, d.z), z = across(n.x, d.y, n.y, d.x);
+    const long double cosine =
+        static_cast<long double>(n.x) * d.x + static_cast<long double>(n.y) * d.y + static_cast<long double>(n.z) * d.z;
+    return static_cast<double>(std::atan2(std::sqrt(x * x + y * y + z * z), std::fabs(cosine)));
+}
+
+/// The worst drift of the angle and out of the plane, in a thousand total reflections in the plane of x and y.
+template <typename P>
+void check_gallery(const Native& ball, double angle, Vec3 x, Vec3 y)
+{
+    const double a = angle * degree;
+    Walker<P> ray{ball, 1.5, {to_real<P>(y * std::sin(a)), to_real<P>(x)}, {0U}};
+    const Vec3 start = ray.path.o, plane = scene::unit(scene::cross(ray.path.o, ray.path.d));
+    double first = 0, drift = 0, out_of_plane = 0;
+    for (int k = 0; k < 1000; k++) {
+        const Hit hit = ray.meet();
+        ASSERT_EQ(hit.after, vacuum) << "after " << k;
+        const double now = incidence(hit.n, ray.path.d);
+        // Where a ray meets the ball is good to a unit times 1/cos; from there on the angle stays.
+        if (k == 0) {
+            first = now;
+            EXPECT_NEAR(first, std::asin(scene::length(scene::cross(start, ray.path.d))), 8 * P::u / std::cos(a));
+        }
+        ASSERT_GT(now, std::asin(1 / 1.5)) << "it escapes after " << k;
+        drift = std::max(drift, std::fabs(now - first));
+        out_of_plane = std::max(out_of_plane, std::fabs(dot(hit.p, plane)));
+        ray.path = back(hit, P::bend(ray.path.d, facing(hit, ray.path.d), 1).reflected);
+    }
+    EXPECT_LE(drift, 1e-5 * P::u / Float::u + 1e-14) << "at " << angle << " degrees";
+    EXPECT_LE(out_of_plane, 1e-4 * P::u / Float::u) << "at " << angle << " degrees";
+    expect_sound(ray.stats);
+}
+
 TYPED_TEST(KernelsLenses, AThousandTotalReflectionsStayInTheirPlaneAndAngle)
 {
     using P = TypeParam;
     const Native ball(glass(sphere({0, 0, 0}, 1), 1.5));
+    Random random(16);
     for (const double angle : {60.0, 89.9}) {
-        const double a = angle * degree;
-        Walker<P> ray{ball, 1.5, {{0, 0, to_real<P>(std::sin(a))}, {1, 0, 0}}, {0U}};
-        double worst = 0, out_of_plane = 0;
-        for (int k = 0; k < 1000; k++) {
-            const Hit hit = ray.meet();
-            ASSERT_EQ(hit.after, vacuum) << "after " << k;
-            const double cosine = std::fabs(dot(hit.n, ray.path.d));
-            worst = std::max(worst, std::fabs(std::atan2(scene::length(scene::cross(hit.n, ray.path.d)), cosine) - a));
-            out_of_plane = std::max(out_of_plane, std::fabs(hit.p.y));
-            ray.path = back(hit, mirrored<P>(ray.path.d, hit.n));
+        check_gallery<P>(ball, angle, {1, 0, 0}, {0, 0, 1});
+        for (int i = 0; i < 16 / P::share; i++) { // in other planes, for their roundings
+            const Vec3 x = random_direction(random), y = scene::unit(scene::cross(x, random_direction(random)));
+            check_gallery<P>(ball, angle, x, y);
         }
-        // 503 units. The goal is 1e-5; what is seen is 1.6e-5 and 2.1e-5 (docs/numerics.md, what is left to do).
-        EXPECT_LE(worst, 3e-5 * P::u / Float::u + 1e-13);
-        EXPECT_LE(out_of_plane, 1e-4 * P::u / Float::u);
-        expect_sound(ray.stats);
     }
 }
 

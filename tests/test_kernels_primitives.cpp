@@ -7,7 +7,7 @@ namespace {
 template <typename P>
 class KernelsPrimitives : public ::testing::Test {
 };
-TYPED_TEST_SUITE(KernelsPrimitives, Precisions, PrecisionNames);
+TYPED_TEST_SUITE(KernelsPrimitives, Machines, MachineNames);
 
 /// The event that must come first, or none; unsure where rounding may decide.
 template <typename W>
@@ -54,18 +54,11 @@ struct Worst {
 };
 
 /// One ray: compares the core's first surface with the expected one.
-template <typename P>
-void compare(const Native& scene, const Leaf<typename P::Wide>& leaf, Vec3 o, Vec3 d, Worst& worst, Stats& stats)
+template <typename P, typename W>
+void compare(const std::optional<Hit>& hit, const Expected<W>& e, const Leaf<W>& leaf, const Path& path, Worst& worst)
 {
-    using W = typename P::Wide;
+    const Vec3 o = path.o, d = path.d;
     const Wide3<W> wo = widen<W>(o), wd = widen<W>(d);
-    const Expected<W> e = expected<W>(leaf, wo, wd, 16 * W(P::u));
-    if (e.unsure) {
-        worst.unsure++;
-        return;
-    }
-    const std::vector<u32> inside(e.inside ? 1 : 0, 0U);
-    const std::optional<Hit> hit = next_hit<P>(scene, {o, d}, inside, stats);
     const double distance = clucida::scene::length(o);
     if (hit.has_value() != e.hit) {
         worst.flip_from = std::min(worst.flip_from, distance);
@@ -105,20 +98,32 @@ void compare(const Native& scene, const Leaf<typename P::Wide>& leaf, Vec3 o, Ve
 template <typename P>
 void check_primitive(const SolidPtr& solid, unsigned rays, double most = 8, unsigned least_hits = 0)
 {
+    using W = typename P::Wide;
     const Native scene(scene_of({solid}));
-    const Leaf<typename P::Wide> leaf = leaf_of<typename P::Wide>(scene, 0);
+    const Leaf<W> leaf = leaf_of<W>(scene, 0);
     Random random(20160729);
     Worst worst;
     Stats stats{};
-    if (std::is_same_v<P, Double>) rays /= 8; // the expected values take 113 bits, in software
+    if (std::is_same_v<typename P::real, double>) rays /= 8; // the expected values take 113 bits, in software
+    std::vector<Query> queries;
+    std::vector<Expected<W>> events;
     for (unsigned i = 0; i < rays; i++) {
         const Vec3 o = to_real<P>(random_direction(random) * log_uniform(random, 1e-2, 1e6));
         const std::optional<Vec3> d = exact_direction<P>(random_in_box(random, 1.25) - o);
-        if (d)
-            compare<P>(scene, leaf, o, *d, worst, stats);
-        else
+        if (!d) {
             i--;
+            continue;
+        }
+        const Expected<W> e = expected<W>(leaf, widen<W>(o), widen<W>(*d), 16 * W(P::u));
+        if (e.unsure) {
+            worst.unsure++;
+            continue;
+        }
+        queries.push_back({{o, *d}, std::vector<u32>(e.inside ? 1 : 0, 0U)});
+        events.push_back(e);
     }
+    const Hits hits = P::surfaces(scene, queries, stats);
+    for (std::size_t i = 0; i < hits.size(); i++) compare<P>(hits[i], events[i], leaf, queries[i].path, worst);
     EXPECT_LE(worst.error, most) << "units of error x cos, wrong from a distance of " << worst.error_from << " on";
     EXPECT_LE(worst.normal, 16) << "units of the normal's direction, from " << worst.normal_from << " on";
     EXPECT_LE(worst.length, 2) << "units of the normal's length";
@@ -267,7 +272,7 @@ TYPED_TEST(KernelsPrimitives, AFreeQuadricOfTwoCrossingPlanesIsMetWhereItIs)
     Stats stats{};
     unsigned hits = 0;
     double worst = 0;
-    for (int i = 0; i < 20000; i++) {
+    for (int i = 0; i < 20000 / P::share; i++) {
         const Vec3 o = to_real<P>(random_direction(random) * log_uniform(random, 1e-2, 10));
         const Vec3 d = to_real<P>(scene::unit(random_in_box(random, 1.25) - o));
         const auto wo = widen<long double>(o), wd = widen<long double>(d);
@@ -283,7 +288,7 @@ TYPED_TEST(KernelsPrimitives, AFreeQuadricOfTwoCrossingPlanesIsMetWhereItIs)
         const bool inside = q.value(wo) < 0;
         for (const Native* s : {&scene, &inverse}) {
             std::vector<u32> in((s == &scene) == inside ? 1 : 0, 0U);
-            Path path{o, d, MEMBER_NONE, false};
+            Path path{o, d};
             for (const auto& r : roots) {
                 const auto hit = next_hit<P>(*s, path, in, stats);
                 ASSERT_TRUE(hit) << i;
@@ -299,7 +304,7 @@ TYPED_TEST(KernelsPrimitives, AFreeQuadricOfTwoCrossingPlanesIsMetWhereItIs)
         }
     }
     EXPECT_LE(worst, 8) << "float units: the planes are stored in it";
-    EXPECT_GT(hits, 30000U);
+    EXPECT_GT(hits, 30000U / P::share);
     expect_sound(stats);
 }
 

@@ -44,7 +44,7 @@ class KernelsTexture : public ::testing::Test {
 protected:
     Photo photo;
 };
-TYPED_TEST_SUITE(KernelsTexture, Precisions, PrecisionNames);
+TYPED_TEST_SUITE(KernelsTexture, Machines, MachineNames);
 
 /// A lamp-white room's wall: what is seen is the texture's reflection of a white sky.
 template <typename P>
@@ -118,14 +118,14 @@ void check_ball(const Photo& photo, decltype(scene::Texture::mapping) mapping,
     const Native scene(textured(sphere(center, 1), texture));
     Random random(1);
     int checked = 0;
-    for (int i = 0; i < 3000; i++) {
+    for (int i = 0; i < 3000 / P::share; i++) {
         const Vec3 n = random_direction(random), p = center + n;
         const auto [u, v] = uv(p, n);
         if (near_edge(u, v)) continue;
         expect_color(seen<P>(scene, p + n * 2, -n), texel(u, v), "at " + std::to_string(u) + ", " + std::to_string(v));
         checked++;
     }
-    EXPECT_GT(checked, 2500);
+    EXPECT_GT(checked, 2500 / P::share);
 }
 
 TYPED_TEST(KernelsTexture, DirectionalTakesTheNormalsAngles)
@@ -262,7 +262,7 @@ TYPED_TEST(KernelsTexture, ThePhotographedSkyIsSeenFromInsideAndBeginsWithItsLas
     const Native scene(sky_of(scene::SkyPhotograph{this->photo.photograph()}));
     const Frame f = frame_of({0, 0, 1});
     Random random(2);
-    for (int i = 0; i < 3000; i++) {
+    for (int i = 0; i < 3000 / P::share; i++) {
         const Vec3 d = random_direction(random);
         const auto [u, v] = angles(f, d);
         if (!near_edge(u, v)) expect_color(seen<P>(scene, {0, 0, 0}, d), texel(1 - u, v), "sky");
@@ -280,7 +280,7 @@ TYPED_TEST(KernelsTexture, SkiesFollowTheirFormulas)
         gradient(sky_of(scene::SkyGradient{{0, 3, 4}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
     const Frame f = frame_of({0, 0, 1});
     Random random(3);
-    for (int i = 0; i < 3000; i++) {
+    for (int i = 0; i < 3000 / P::share; i++) {
         const Vec3 d = random_direction(random);
         expect_color(seen<P>(rgb, {0, 0, 0}, d), {(d.x + 1) / 2, (d.y + 1) / 2, (1 - d.z) / 2}, "rgb");
         const double t = scene::dot(d, {0, .6, .8});

@@ -192,6 +192,33 @@ TEST(Compare, what_is_no_number_is_counted_and_left_out)
     EXPECT_DOUBLE_EQ(c.rmse, std::sqrt(0.25 / 2));
 }
 
+TEST(Compare, a_percentile_is_the_least_error_that_so_many_do_not_exceed)
+{
+    Picture a = make_picture(1000, 1), b = a; // differences of 1, 2, ... 3000, in no order
+    for (unsigned i = 0; i < 3000; ++i) b.rgb[i] = static_cast<float>(i * 1237 % 3000 + 1);
+    const Comparison c = compare(a, b, 0);
+    EXPECT_EQ(c.p50, 1500);
+    EXPECT_EQ(c.p99, 2970);
+    EXPECT_EQ(c.p999, 2997);
+    EXPECT_EQ(compare(a, a, 0).p999, 0);
+}
+
+TEST(Compare, percentiles_leave_out_what_is_no_number)
+{
+    const Comparison c = compare(of({nan, 1, 2}), of({0, 0, 0}), 0);
+    EXPECT_EQ(c.p50, 1);
+    EXPECT_EQ(c.p999, 2);
+    EXPECT_EQ(compare(of({nan, nan, nan}), of({0, 0, 0}), 0).p50, 0);
+}
+
+TEST(Compare, the_map_shows_each_pixels_largest_error)
+{
+    const Plane map = error_map(of({0, 0.5F, 1, 0, 0, 0, infinite, 0, 0, nan, 1, 0}),
+                                of({0, 0.25F, 0.5F, 0, 0, 0, infinite, 1, 0, 0, 0, 0}));
+    EXPECT_EQ((std::vector<float>{map.value.begin(), map.value.begin() + 3}), (std::vector<float>{0.5F, 0, 1}));
+    EXPECT_TRUE(std::isnan(map.value[3]));
+}
+
 TEST(Compare, pictures_of_different_sizes_are_refused)
 {
     EXPECT_THROW(compare(make_picture(2, 3), make_picture(3, 2), 0), Failure);

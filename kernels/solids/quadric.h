@@ -58,16 +58,53 @@ static inline real quadric_discriminant(__global const LayoutQuadric* q, vec d, 
     return sum_value(s);
 }
 
+/* A row of the frame times a vector that is known to twice the precision: v + lost. */
+static inline Twofold quadric_coordinate(__global const float* row, vec v, vec lost)
+{
+    const vec m = load_vec(row);
+    Sum s = {R(0), R(0)};
+    sum_product(&s, m.x, v.x);
+    sum_product(&s, m.y, v.y);
+    sum_product(&s, m.z, v.z);
+    s.error += dot3(m, lost);
+    return sum_twofold(s);
+}
+
+/* The span of a quadric that the ray has just left, -2 B/A from its start. B fades as the ray grows flat, and A along
+ * an asymptote or a generator; both keep their relative precision here. */
+static inline Span quadric_span_left(__global const LayoutQuadric* q, const Line* line)
+{
+    const vec c = load_vec(q->c), none = make_vec(R(0), R(0), R(0));
+    const vec o = sub(line->origin, c);
+    const vec lost = make_vec(difference_error(line->origin.x, c.x), difference_error(line->origin.y, c.y),
+                              difference_error(line->origin.z, c.z));
+    Sum a = {R(0), R(0)}, b = {R(0), R(0)};
+    for (int i = 0; i < 3; i++) {
+        const Twofold x = quadric_coordinate(q->m + 3 * i, o, lost),
+                      v = quadric_coordinate(q->m + 3 * i, line->d, none);
+        const Twofold part = {R(q->s[i]) * v.hi, R(q->s[i]) * v.lo}; /* exact: s is 0, 1 or -1 */
+        sum_twofold_product(&a, part, v);
+        sum_twofold_product(&b, part, x);
+        if (i == 2) {
+            const Twofold g = {R(-q->g), R(0)};
+            sum_twofold_product(&b, g, v);
+        }
+    }
+    const Twofold leading = sum_twofold(a), product = sum_twofold(b), twice = {R(-2) * product.hi, R(-2) * product.lo};
+    const real other = leading.hi == R(0) ? R(0) : twofold_ratio(twice, leading);
+    /* What the start is off the surface shifts the other end by as much along the line. */
+    const vec x = apply(q->m, o);
+    const real slope =
+        fmax(quadric_slope(q, x, product.hi), quadric_slope(q, along(x, apply(q->m, line->d), other), product.hi));
+    return span_left(line, leading.hi, other, slope);
+}
+
 static inline Span quadric_span(__global const LayoutQuadric* q, const Line* line, int left)
 {
+    if (left) return quadric_span_left(q, line);
     const vec c = load_vec(q->c);
     const vec d = apply(q->m, line->d);
     const real a = quadric_leading(q, d);
-    if (left) {
-        const vec x = apply(q->m, sub(line->origin, c));
-        const real b = dot3(quadric_half_gradient(q, x), d);
-        return span_left(line, a, a == R(0) ? R(0) : R(-2) * b / a, quadric_slope(q, x, b));
-    }
     const vec o = sub(line->base, c);
     const vec moment = cross_exact(o, line->d);
 #ifdef CLU_DOUBLE

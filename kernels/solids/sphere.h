@@ -10,8 +10,8 @@ static inline Span sphere_span(__global const LayoutSphere* sphere, const Line* 
     const vec c = load_vec(sphere->c);
     const real r = R(sphere->r);
     if (left) {
-        const real b = dot_exact(sub(line->origin, c), line->d);
-        return span_left(line, R(1), R(-2) * b / line->dd, r / fabs(b));
+        const real b = dot_exact(sub(line->origin, c), line->d), chord = R(-2) * b;
+        return span_left(line, R(1), fma(-chord, length_excess(line->d), chord), r / fabs(b));
     }
     const vec o = sub(line->base, c);
     const vec k = cross_exact(o, line->d);

@@ -1,0 +1,7 @@
+#include "bench/oracle/instances.h"
+
+namespace clucida::oracle {
+
+CLUCIDA_ORACLE_INSTANCES(Quad);
+
+} // namespace clucida::oracle

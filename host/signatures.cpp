@@ -1,0 +1,104 @@
+#include "host/signatures.h"
+
+#include "host/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace clucida::host {
+namespace {
+
+constexpr std::size_t group_items = 64;
+constexpr std::size_t stats_count = std::size_t{STAT_SLOTS} * STAT_COUNT;
+constexpr std::size_t most_events = std::size_t{1} << 22; ///< of a launch: 80 MiB
+constexpr std::size_t most_pixels = std::size_t{1} << 14; ///< likewise
+
+struct Vec2u {
+    cl_uint x = 0, y = 0;
+};
+
+void trace_batch(PathTracer& t, std::span<const Pixel> pixels, unsigned sample, unsigned capacity,
+                 std::span<PixelPath> out, Statistics& statistics)
+{
+    const std::size_t count = pixels.size(), events = std::max<std::size_t>(count * capacity, 1);
+    const cl::Context& context = t.renderer.context;
+    const cl::CommandQueue& queue = t.renderer.queue;
+    std::vector<Vec2u> places(count);
+    std::ranges::transform(pixels, places.begin(), [](Pixel p) { return Vec2u{p.x, p.y}; });
+    const cl::Buffer place_buffer(context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, count * sizeof(Vec2u),
+                                  places.data());
+    const cl::Buffer colors(context, CL_MEM_WRITE_ONLY, count * 4 * sizeof(float));
+    const cl::Buffer signatures(context, CL_MEM_WRITE_ONLY, count * sizeof(Vec2u));
+    const cl::Buffer log(context, CL_MEM_WRITE_ONLY, events * sizeof(LayoutEvent));
+    const cl::Buffer stats(context, CL_MEM_READ_WRITE, stats_count * sizeof(cl_uint));
+    queue.enqueueFillBuffer<cl_uint>(stats, 0, 0, stats_count * sizeof(cl_uint));
+
+    cl_uint argument = BUFFER_COUNT;
+    t.kernel.setArg(argument++, place_buffer);
+    t.kernel.setArg(argument++, static_cast<cl_uint>(count));
+    t.kernel.setArg(argument++, cl_uint{sample});
+    t.kernel.setArg(argument++, cl_uint{capacity});
+    t.kernel.setArg(argument++, colors);
+    t.kernel.setArg(argument++, signatures);
+    t.kernel.setArg(argument++, log);
+    t.kernel.setArg(argument, stats);
+    const std::size_t items = (count + group_items - 1) / group_items * group_items;
+    queue.enqueueNDRangeKernel(t.kernel, cl::NullRange, cl::NDRange(items), cl::NDRange(group_items));
+
+    std::vector<float> rgba(count * 4);
+    std::vector<Vec2u> found(count);
+    std::vector<LayoutEvent> found_events(capacity ? events : 0);
+    std::vector<std::uint32_t> rows(stats_count);
+    queue.enqueueReadBuffer(colors, CL_TRUE, 0, rgba.size() * sizeof(float), rgba.data());
+    queue.enqueueReadBuffer(signatures, CL_TRUE, 0, found.size() * sizeof(Vec2u), found.data());
+    queue.enqueueReadBuffer(stats, CL_TRUE, 0, rows.size() * sizeof(cl_uint), rows.data());
+    if (capacity)
+        queue.enqueueReadBuffer(log, CL_TRUE, 0, found_events.size() * sizeof(LayoutEvent), found_events.data());
+    add_rows(statistics, rows);
+    for (std::size_t i = 0; i < count; ++i) {
+        std::copy_n(rgba.begin() + static_cast<std::ptrdiff_t>(4 * i), 3, out[i].rgb.begin());
+        out[i].events = found[i].x;
+        out[i].hash = found[i].y;
+        const auto first = found_events.begin() + static_cast<std::ptrdiff_t>(i * capacity);
+        out[i].log.assign(first, first + std::min(found[i].x, capacity));
+    }
+}
+
+} // namespace
+
+PathTracer make_path_tracer(Renderer& renderer, const scene::Compiled& compiled, const scene::Needs& needs,
+                            const RenderSettings& settings)
+{
+    try {
+        const std::string options =
+            variant_options(needs, settings.precision, renderer.device.info) + " -DCLU_SIGNATURE";
+        const Program program =
+            build_program(renderer.context, renderer.device, resolve_includes("kernels/signature.cl", settings.kernels),
+                          options, settings.cache);
+        PathTracer tracer{renderer, upload(renderer, compiled.buffers), cl::Kernel(program.handle, "signature")};
+        for (cl_uint i = 0; i < BUFFER_COUNT; ++i) tracer.kernel.setArg(i, tracer.buffers[i]);
+        return tracer;
+    } catch (const cl::Error& e) {
+        throw Failure(fmt::format("{}: {}", describe(renderer.device.info), explain(e)));
+    }
+}
+
+std::vector<PixelPath> trace_paths(PathTracer& tracer, std::span<const Pixel> pixels, unsigned sample,
+                                   unsigned capacity, Statistics& statistics)
+{
+    const std::size_t step = capacity ? std::clamp<std::size_t>(most_events / capacity, 1, most_pixels) : most_pixels;
+    std::vector<PixelPath> out(pixels.size());
+    try {
+        for (std::size_t i = 0; i < pixels.size(); i += step) {
+            const std::size_t count = std::min(step, pixels.size() - i);
+            trace_batch(tracer, pixels.subspan(i, count), sample, capacity, std::span(out).subspan(i, count),
+                        statistics);
+        }
+    } catch (const cl::Error& e) {
+        throw Failure(fmt::format("{}: {}", describe(tracer.renderer.device.info), explain(e)));
+    }
+    return out;
+}
+
+} // namespace clucida::host
