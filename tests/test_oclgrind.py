@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Renders the tiny scenes of tests/data/oclgrind in Oclgrind, which simulates an OpenCL device and watches every access.
+"""Renders the tiny scenes of tests/data/oclgrind in Oclgrind, which simulates an OpenCL device and watches every access,
+in float and in double.
 
 usage: test_oclgrind.py PROGRAM SCENES NEEDS [SIZE]
 
@@ -18,6 +19,7 @@ import re
 import subprocess
 import sys
 import tempfile
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 MOST_STEPS = 1
@@ -50,7 +52,12 @@ def without_coverage(program: Path, scenes: list[tuple[Path, list[str]]], needs:
     return set(names) - met
 
 
-def complaints(program: Path, scene: Path, options: list[str], size: str, folder: Path) -> tuple[list[str], str]:
+def complaints(program: Path, scene: Path, options: list[str], size: str) -> tuple[list[str], str]:
+    with tempfile.TemporaryDirectory() as folder:
+        return complaints_in(Path(folder), program, scene, options, size)
+
+
+def complaints_in(folder: Path, program: Path, scene: Path, options: list[str], size: str) -> tuple[list[str], str]:
     simulated, other, log = folder / "oclgrind.png", folder / "device.png", folder / "log"
     common = ["render", scene, "-s", size, "--json", "--quiet", "--no-kernel-cache", *options]
     out, said = watched(log, program, *common, "-o", simulated, "--device", "oclgrind")
@@ -70,16 +77,17 @@ def main() -> int:
     size = sys.argv[4] if len(sys.argv) > 4 else "16x9"
     texts = sorted(p for p in folder.iterdir() if p.suffix in (".clu", ".gun", ".rayt"))
     scenes = [(p, [] if p.suffix == ".clu" else ["--as-original"]) for p in texts]
+    cases = [(scene, options, precision) for scene, options in scenes for precision in ("float", "double")]
     failed = 0
     if missing := without_coverage(program, scenes, needs):
         print(f"FAILED no scene in {folder} needs {', '.join(sorted(missing))}: add one")
         failed += 1
-    with tempfile.TemporaryDirectory() as temporary:
-        for scene, options in scenes:
-            found, seen = complaints(program, scene, options, size, Path(temporary))
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        results = pool.map(lambda c: complaints(program, c[0], [*c[1], "--precision", c[2]], size), cases)
+        for (scene, _, precision), (found, seen) in zip(cases, results):
             failed += bool(found)
-            print(f"{'FAILED' if found else 'ok':7}{scene.name}: {seen} {'; '.join(found)}", flush=True)
-    print(f"{len(scenes)} scenes, {failed} failed")
+            print(f"{'FAILED' if found else 'ok':7}{scene.name} in {precision}: {seen} {'; '.join(found)}", flush=True)
+    print(f"{len(cases)} pictures, {failed} failed")
     return 1 if failed else 0
 
 
