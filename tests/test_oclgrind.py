@@ -59,7 +59,8 @@ def complaints(program: Path, scene: Path, options: list[str], size: str) -> tup
 
 def complaints_in(folder: Path, program: Path, scene: Path, options: list[str], size: str) -> tuple[list[str], str]:
     simulated, other, log = folder / "oclgrind.png", folder / "device.png", folder / "log"
-    common = ["render", scene, "-s", size, "--json", "--quiet", "--no-kernel-cache", *options]
+    # One launch of all pixels, more than STAT_SLOTS, so that some share their counters and a race would show.
+    common = ["render", scene, "-s", size, "--tile", size, "--json", "--quiet", "--no-kernel-cache", *options]
     out, said = watched(log, program, *common, "-o", simulated, "--device", "oclgrind")
     report = json.loads(out)
     found = [f"{name} is {report['statistics'][name]}" for name in FAULTS if report["statistics"][name] != 0]
