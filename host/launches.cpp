@@ -17,7 +17,7 @@ struct Lane {
     std::vector<float> tile_copy;
     std::vector<std::uint32_t> stats_copy;
     std::vector<std::uint32_t> no_stats; ///< what a launch's counters begin as
-    cl::Event done; ///< of the results' way back
+    cl::Event done;                      ///< of the results' way back
     std::size_t index = 0;
     unsigned samples_begin = 0, samples_end = 0;
     bool busy = false;     ///< a launch is in flight
