@@ -7,7 +7,8 @@
 
 namespace clucida::oracle {
 
-/// Every number x of the scene becomes x (1 + size h), with h in -1..1 a hash of the seed and of |x|.
+/// Every number x of the scene becomes x (1 + size h), with h in -1..1 a hash of the seed and of |x|; so do the
+/// components of every ray's direction as it starts, and of the observer's rays' origins, each with an h of its own.
 struct Disturbance {
     std::uint64_t seed = 0;
     double size = 0;

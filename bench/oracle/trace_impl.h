@@ -18,7 +18,8 @@ struct Look {
 template <class Real>
 class Tracer {
 public:
-    Tracer(const World<Real>& world, Path& path) : world_(world), path_(path) {}
+    /// key tells paths apart, for disturbances.
+    Tracer(const World<Real>& world, Path& path, std::uint64_t key) : world_(world), path_(path), key_(key) {}
 
     void from(const Ray<Real>& ray)
     {
@@ -162,7 +163,7 @@ private:
         Rgb<Real> color = hit.before == vacuum ? absorbed(hit, n, look.absorption, event) : Rgb<Real>{};
         const auto branch = [&](const Vec<Real>& direction, const Rgb<Real>& filter, What followed) {
             Rgb<Real> seen{};
-            const Line<Real> next_line({hit.point, direction}, {hit.surfaces, false});
+            const Line<Real> next_line({hit.point, disturbed(direction)}, {hit.surfaces, false});
             if (!trace(next_line, path_.events[event].hop + 1, times(throughput, filter), times(weight, filter), seen))
                 return;
             path_.events[event].what |= followed;
@@ -193,15 +194,28 @@ private:
         return sum;
     }
 
+    /// A ray that starts at a surface is known to rounding only, too.
+    Vec<Real> disturbed(const Vec<Real>& d)
+    {
+        if (!world_.disturbance) return d;
+        Vec<Real> out = d;
+        for (Real* component : {&out.x, &out.y, &out.z}) {
+            const double h = noise(world_.disturbance->seed, key_ += std::uint64_t{1} << 48U);
+            *component = *component * Real(1 + world_.disturbance->size * h);
+        }
+        return unit(out);
+    }
+
     const World<Real>& world_;
     Path& path_;
+    std::uint64_t key_;
 };
 
 template <class Real>
 Path follow(const World<Real>& world, const std::array<Real, 3>& o, const std::array<Real, 3>& d)
 {
     Path path;
-    Tracer<Real>(world, path).from({{o[0], o[1], o[2]}, unit(Vec<Real>{d[0], d[1], d[2]})});
+    Tracer<Real>(world, path, 0).from({{o[0], o[1], o[2]}, unit(Vec<Real>{d[0], d[1], d[2]})});
     return path;
 }
 
@@ -222,8 +236,8 @@ Path observe(const World<Real>& world, unsigned x, unsigned y, unsigned sample)
     const Real v = (Real(y) + within.v) / Real(world.height) - Real(0.5);
     const Vec<Real> across = eye.column * u + eye.row * v;
     Vec<Real> o = eye.window ? eye.eye + across : eye.eye, d = eye.forward + across;
+    std::uint64_t key = (std::uint64_t{y} * world.width + x) * 4096 + sample % 4096;
     if (world.disturbance) {
-        std::uint64_t key = (std::uint64_t{y} * world.width + x) * 4096 + sample % 4096;
         const auto disturb = [&](Real& component) {
             key += std::uint64_t{1} << 48U;
             component = component * Real(1 + world.disturbance->size * noise(world.disturbance->seed, key));
@@ -232,7 +246,7 @@ Path observe(const World<Real>& world, unsigned x, unsigned y, unsigned sample)
         for (Real* component : {&o.x, &o.y, &o.z, &d.x, &d.y, &d.z}) disturb(*component);
     }
     Path path;
-    Tracer<Real>(world, path).from({o, unit(d)});
+    Tracer<Real>(world, path, key).from({o, unit(d)});
     return path;
 }
 
