@@ -224,12 +224,14 @@ Path observe(const World<Real>& world, unsigned x, unsigned y, unsigned sample)
     Vec<Real> o = eye.window ? eye.eye + across : eye.eye, d = eye.forward + across;
     if (world.disturbance) {
         std::uint64_t key = (std::uint64_t{y} * world.width + x) * 4096 + sample % 4096;
-        const auto disturb = [&](Real& component) {
+        const auto disturbance = [&] {
             key += std::uint64_t{1} << 48U;
-            component = component * Real(1 + world.disturbance->size * noise(world.disturbance->seed, key));
+            return Real(world.disturbance->size * noise(world.disturbance->seed, key));
         };
+        for (Real* x : {&o.x, &o.y, &o.z}) *x = *x * (Real(1) + disturbance());
+        // A direction is a sum of the observer's vectors: what rounds counts against its length, not each component.
         d = unit(d);
-        for (Real* component : {&o.x, &o.y, &o.z, &d.x, &d.y, &d.z}) disturb(*component);
+        for (Real* x : {&d.x, &d.y, &d.z}) *x = *x + disturbance();
     }
     Path path;
     Tracer<Real>(world, path).from({o, unit(d)});
