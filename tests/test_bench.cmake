@@ -1,0 +1,8 @@
+# The oracle's tests: against closed forms and itself; then the kernels' pictures against the oracle's.
+find_package(fmt REQUIRED)
+function(clucida_oracle_test name)
+  clucida_test(${name} ${ARGN})
+  target_compile_definitions(${name} PRIVATE CLUCIDA_SCENES="${CMAKE_SOURCE_DIR}/scenes")
+endfunction()
+
+clucida_oracle_test(test_oracle test_oracle.cpp LIBS clucida_oracle fmt::fmt)
