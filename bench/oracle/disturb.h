@@ -7,7 +7,9 @@
 
 namespace clucida::oracle {
 
-/// Every number x of the scene becomes x (1 + size h), with h in -1..1 a hash of the seed and of |x|.
+/// Every number x of the scene becomes x (1 + size h), with h in -1..1 a hash of the seed and of |x|; so do the
+/// coordinates of the observer's rays' origins, each with an h of its own. Of every ray's direction, as it starts, each
+/// component changes by size h of the direction's length.
 struct Disturbance {
     std::uint64_t seed = 0;
     double size = 0;

@@ -18,7 +18,8 @@ struct Look {
 template <class Real>
 class Tracer {
 public:
-    Tracer(const World<Real>& world, Path& path) : world_(world), path_(path) {}
+    /// key tells paths apart, for disturbances.
+    Tracer(const World<Real>& world, Path& path, std::uint64_t key) : world_(world), path_(path), key_(key) {}
 
     void from(const Ray<Real>& ray)
     {
@@ -26,6 +27,19 @@ public:
         Rgb<Real> color{};
         trace(Line<Real>(ray, {{}, true}), 0, one, one, color);
         for (std::size_t i = 0; i < 3; i++) path_.rgb[i] = to_double(color[i]);
+    }
+
+    /// A ray is known to rounding only. Its direction is a sum of vectors: what rounds away of a component counts
+    /// against the direction's length.
+    Vec<Real> disturbed(const Vec<Real>& d)
+    {
+        if (!world_.disturbance) return d;
+        Vec<Real> out = d;
+        for (Real* component : {&out.x, &out.y, &out.z}) {
+            const double h = noise(world_.disturbance->seed, key_ += std::uint64_t{1} << 48U);
+            *component = *component + Real(world_.disturbance->size * h);
+        }
+        return unit(out);
     }
 
 private:
@@ -162,7 +176,7 @@ private:
         Rgb<Real> color = hit.before == vacuum ? absorbed(hit, n, look.absorption, event) : Rgb<Real>{};
         const auto branch = [&](const Vec<Real>& direction, const Rgb<Real>& filter, What followed) {
             Rgb<Real> seen{};
-            const Line<Real> next_line({hit.point, direction}, {hit.surfaces, false});
+            const Line<Real> next_line({hit.point, disturbed(direction)}, {hit.surfaces, false});
             if (!trace(next_line, path_.events[event].hop + 1, times(throughput, filter), times(weight, filter), seen))
                 return;
             path_.events[event].what |= followed;
@@ -195,13 +209,14 @@ private:
 
     const World<Real>& world_;
     Path& path_;
+    std::uint64_t key_;
 };
 
 template <class Real>
 Path follow(const World<Real>& world, const std::array<Real, 3>& o, const std::array<Real, 3>& d)
 {
     Path path;
-    Tracer<Real>(world, path).from({{o[0], o[1], o[2]}, unit(Vec<Real>{d[0], d[1], d[2]})});
+    Tracer<Real>(world, path, 0).from({{o[0], o[1], o[2]}, unit(Vec<Real>{d[0], d[1], d[2]})});
     return path;
 }
 
@@ -222,19 +237,17 @@ Path observe(const World<Real>& world, unsigned x, unsigned y, unsigned sample)
     const Real v = (Real(y) + within.v) / Real(world.height) - Real(0.5);
     const Vec<Real> across = eye.column * u + eye.row * v;
     Vec<Real> o = eye.window ? eye.eye + across : eye.eye, d = eye.forward + across;
+    std::uint64_t key = (std::uint64_t{y} * world.width + x) * 4096 + sample % 4096;
     if (world.disturbance) {
-        std::uint64_t key = (std::uint64_t{y} * world.width + x) * 4096 + sample % 4096;
         const auto disturbance = [&] {
             key += std::uint64_t{1} << 48U;
             return Real(world.disturbance->size * noise(world.disturbance->seed, key));
         };
         for (Real* x : {&o.x, &o.y, &o.z}) *x = *x * (Real(1) + disturbance());
-        // A direction is a sum of the observer's vectors: what rounds counts against its length, not each component.
-        d = unit(d);
-        for (Real* x : {&d.x, &d.y, &d.z}) *x = *x + disturbance();
     }
     Path path;
-    Tracer<Real>(world, path).from({o, unit(d)});
+    Tracer<Real> tracer(world, path, key);
+    tracer.from({o, tracer.disturbed(unit(d))});
     return path;
 }
 
