@@ -14,7 +14,7 @@ struct PathFlip {
 };
 
 /// A flip is explained if for each of its divergences the oracle goes the kernels' way when the scene and the ray are
-/// disturbed by at most flip_disturbance, relative to each number.
+/// disturbed by at most flip_disturbance (oracle/disturb.h says of what).
 constexpr double flip_disturbance = 4 * 0x1p-24;
 
 struct Explained {

@@ -1,0 +1,14 @@
+# The oracle's tests: against closed forms and itself; then the kernels' pictures against the oracle's.
+find_package(fmt REQUIRED)
+function(clucida_oracle_test name)
+  clucida_test(${name} ${ARGN})
+  target_compile_definitions(${name} PRIVATE CLUCIDA_SCENES="${CMAKE_SOURCE_DIR}/scenes")
+endfunction()
+
+clucida_oracle_test(test_oracle test_oracle.cpp LIBS clucida_oracle fmt::fmt)
+clucida_test(test_divergence test_divergence.cpp LIBS clucida_error)
+clucida_test(test_measure_error test_measure_error.cpp LIBS clucida_error)
+
+add_test(NAME test_bench_cli
+         COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/test_bench_cli.py $<TARGET_FILE:clucida-bench>)
+set_tests_properties(test_bench_cli PROPERTIES TIMEOUT 600)
