@@ -1,4 +1,5 @@
-/// What the variants of the kernels cost: variant_times scenes/*.clu -s 320x180 prints a table of a frame's time in each.
+/// What the variants of the kernels cost: variant_times scenes/*.clu -s 320x180 prints a table of a frame's time in
+/// each.
 ///
 /// The variants take turns, and each is rendered once before, so that compilation counts for nothing. On a machine that
 /// others use too the processor's time, of all threads, says more than the clock: --clock asks for that.

@@ -31,14 +31,14 @@ host::FileTexts laid_over(std::vector<Table> tables)
 
 std::vector<std::string> variant_names()
 {
-    return {"naive", "reoriginated", "full"};
+    return {"naive", "reoriginated", full_variant};
 }
 
 host::FileTexts variant_kernels(const std::string& name)
 {
     if (name == "naive") return laid_over({clucida_variant_naive_table});
     if (name == "reoriginated") return laid_over({clucida_variant_reoriginated_table, clucida_variant_naive_table});
-    if (name == "full") return host::embedded_kernel;
+    if (name == full_variant) return host::embedded_kernel;
     throw std::invalid_argument("there is no variant " + name + " of the kernels");
 }
 

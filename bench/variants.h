@@ -8,6 +8,8 @@
 
 namespace clucida::bench {
 
+inline const std::string full_variant = "full"; ///< the kernels as they are
+
 /// "naive" (textbook formulas and a global epsilon), "reoriginated" (those, at the point nearest to the object) and
 /// "full" (the kernels as they are).
 std::vector<std::string> variant_names();

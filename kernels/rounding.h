@@ -12,14 +12,14 @@
 
 static inline real position_error(vec o, real t)
 {
-    return ROUNDINGS * R(STORED_ROUNDOFF) * (largest(o) + fabs(t));
+    return ROUNDINGS * R(STORED_ROUNDOFF) * fmax(largest(o), fabs(t));
 }
 
 /* The error of a parameter t on this line, for a surface met at right angles: by arithmetic, and by what members were
  * stored to, which counts between objects that store the same surface each in its own way. */
 static inline real line_error(const Line* line, real t)
 {
-    return ROUNDINGS * UNIT_ROUNDOFF * fmax(largest(line->base) + fabs(t), line->grain);
+    return ROUNDINGS * UNIT_ROUNDOFF * fmax(fmax(largest(line->base), fabs(t)), line->grain);
 }
 static inline real stored_error(const Line* line, real t)
 {

@@ -10,8 +10,9 @@ template <class Real>
 struct Disturber {
     std::optional<Disturbance> by;
     Vec<Real> eye;
+    std::uint64_t object = 0; ///< its number from 1, or 0
 
-    Real operator()(const Real& x) const { return by ? Real(x * Real(disturbed_by(by, to_double(x)))) : x; }
+    Real operator()(const Real& x) const { return by ? Real(x * Real(disturbed_by(by, to_double(x), object))) : x; }
     Vec<Real> vector(const Vec<Real>& v) const { return {(*this)(v.x), (*this)(v.y), (*this)(v.z)}; }
     Mat<Real> matrix(const Mat<Real>& m) const { return {vector(m.x), vector(m.y), vector(m.z)}; }
     Vec<Real> point(const Vec<Real>& p) const { return by ? eye + vector(p - eye) : p; }
@@ -62,11 +63,22 @@ public:
         out.tree.root = add(solid, {});
         for (const Primitive<Real>& p : out.primitives) out.rough.push_back(rough_of(p));
         out.box = bounds_of(out.tree, enclosures);
+        if (disturb.by) widen(out.box);
     }
 
 private:
     using Place = Affine<Real>;
     using Kind = Tree::Kind;
+
+    /// Where rays are disturbed they meet the solid a little beside its place, too.
+    void widen(Box& box) const
+    {
+        const double far = size_of(disturb.eye);
+        for (std::size_t i = 0; i < 3; i++) {
+            box.low[i] -= 64 * disturb.by->size * (std::fabs(box.low[i]) + far);
+            box.high[i] += 64 * disturb.by->size * (std::fabs(box.high[i]) + far);
+        }
+    }
 
     std::uint32_t node(Kind kind, std::vector<std::uint32_t> of, std::uint32_t primitive = 0)
     {
@@ -229,40 +241,43 @@ private:
         slab(frame.z, s.size.z);
         return node(Kind::all, std::move(of));
     }
-    // scene::Torus and the free quadric have their place here, once the model has them: see add_torus,
-    // add_free_quadric.
-
-    /// Torus about the frame's z axis.
-    std::uint32_t add_torus(const Vec<Real>& center, const Vec<Real>& axis, double major, double minor,
-                            const Place& place)
+    /// X = H r is the torus' own frame, its z axis that of the torus. Where every direction is scaled alike this is a
+    /// torus again, of major and minor in own units.
+    std::uint32_t add(const scene::Torus& s, const Place& place)
     {
         Primitive<Real> p;
         p.shape = Shape::torus;
-        p.c = disturb.point(place.linear * center + place.offset);
-        p.h = disturb.matrix(axis_frame(axis) * inverse(place.linear));
-        p.major = disturb(Real(major));
-        p.minor = disturb(Real(minor));
+        p.c = disturb.point(place.linear * vec<Real>(s.center) + place.offset);
+        p.h = disturb.matrix(axis_frame(vec<Real>(s.axis)) * inverse(place.linear));
+        p.major = disturb(Real(s.major));
+        p.minor = disturb(Real(s.minor));
         const Mat<double> rough{converted<double>(p.h.x), converted<double>(p.h.y), converted<double>(p.h.z)};
         const Vec<double> c = converted<double>(p.c);
         Enclosure enclosure;
         for (const double sign : {-1.0, 1.0}) {
-            enclosure.push_back(half_space({sign, 0, 0}, major + minor, rough, c));
-            enclosure.push_back(half_space({0, sign, 0}, major + minor, rough, c));
-            enclosure.push_back(half_space({0, 0, sign}, minor, rough, c));
+            enclosure.push_back(half_space({sign, 0, 0}, s.major + s.minor, rough, c));
+            enclosure.push_back(half_space({0, sign, 0}, s.major + s.minor, rough, c));
+            enclosure.push_back(half_space({0, 0, sign}, s.minor, rough, c));
         }
         return add_primitive(p, std::move(enclosure));
     }
 
-    /// p S p + 2 l p + k < 0 in the solid's own coordinates, S symmetric.
-    std::uint32_t add_free_quadric(const Mat<Real>& s, const Vec<Real>& l, const Real& k, const Place& place)
+    /// p S p + 2 l p + k < 0 in own coordinates: p = back (scene - offset). It has no enclosure: the general case is
+    /// unbounded, and which cases are not would take its axes to tell.
+    std::uint32_t add(const scene::FreeQuadric& s, const Place& place)
     {
-        const Mat<Real> back = inverse(place.linear); // own coordinates: back (p - offset)
+        const auto& q = s.q;
+        const Real half = Real(1) / Real(2);
+        const Real xy = Real(q[3]) * half, xz = Real(q[4]) * half, yz = Real(q[5]) * half;
+        const Mat<Real> second{{Real(q[0]), xy, xz}, {xy, Real(q[1]), yz}, {xz, yz, Real(q[2])}};
+        const Vec<Real> first{Real(q[6]) * half, Real(q[7]) * half, Real(q[8]) * half};
+        const Mat<Real> back = inverse(place.linear);
         Primitive<Real> p;
         p.shape = Shape::quadric;
         p.c = disturb.point(place.offset);
-        p.h = transposed(back) * (disturb.matrix(s) * back);
-        p.n = transposed(back) * disturb.vector(l);
-        p.w = disturb(k);
+        p.h = transposed(back) * (disturb.matrix(second) * back);
+        p.n = transposed(back) * disturb.vector(first);
+        p.w = disturb(Real(q[9]));
         return add_primitive(p, {});
     }
 

@@ -18,13 +18,14 @@ struct Look {
 template <class Real>
 class Tracer {
 public:
-    Tracer(const World<Real>& world, Path& path) : world_(world), path_(path) {}
+    /// key tells paths apart, for disturbances.
+    Tracer(const World<Real>& world, Path& path, std::uint64_t key) : world_(world), path_(path), key_(key) {}
 
     void from(const Ray<Real>& ray)
     {
         const Rgb<Real> one{Real(1), Real(1), Real(1)};
         Rgb<Real> color{};
-        trace(Line<Real>(ray, {{}, true}), 0, one, one, color);
+        trace(Line<Real>(disturbed(ray), {{}, true}), 0, one, one, color);
         for (std::size_t i = 0; i < 3; i++) path_.rgb[i] = to_double(color[i]);
     }
 
@@ -162,7 +163,7 @@ private:
         Rgb<Real> color = hit.before == vacuum ? absorbed(hit, n, look.absorption, event) : Rgb<Real>{};
         const auto branch = [&](const Vec<Real>& direction, const Rgb<Real>& filter, What followed) {
             Rgb<Real> seen{};
-            const Line<Real> next_line({hit.point, direction}, {hit.surfaces, false});
+            const Line<Real> next_line(disturbed({hit.point, direction}), {hit.surfaces, false});
             if (!trace(next_line, path_.events[event].hop + 1, times(throughput, filter), times(weight, filter), seen))
                 return;
             path_.events[event].what |= followed;
@@ -193,15 +194,32 @@ private:
         return sum;
     }
 
+    /// A ray as it starts is known to rounding only, too. Its numbers come from sums: what rounds counts against the
+    /// vector's length, not against each component.
+    Ray<Real> disturbed(const Ray<Real>& ray)
+    {
+        if (!world_.disturbance) return ray;
+        const auto disturb = [&](const Vec<Real>& v) {
+            const double size = world_.disturbance->size * to_double(length(v));
+            Vec<Real> out = v;
+            for (Real* component : {&out.x, &out.y, &out.z})
+                *component += Real(size * noise(world_.disturbance->seed, key_ += std::uint64_t{1} << 48U));
+            return out;
+        };
+        const Vec<Real>& eye = world_.observer.eye;
+        return {eye + disturb(ray.o - eye), unit(disturb(ray.d))};
+    }
+
     const World<Real>& world_;
     Path& path_;
+    std::uint64_t key_;
 };
 
 template <class Real>
 Path follow(const World<Real>& world, const std::array<Real, 3>& o, const std::array<Real, 3>& d)
 {
     Path path;
-    Tracer<Real>(world, path).from({{o[0], o[1], o[2]}, unit(Vec<Real>{d[0], d[1], d[2]})});
+    Tracer<Real>(world, path, 0).from({{o[0], o[1], o[2]}, unit(Vec<Real>{d[0], d[1], d[2]})});
     return path;
 }
 
@@ -221,18 +239,10 @@ Path observe(const World<Real>& world, unsigned x, unsigned y, unsigned sample)
     const Real u = (Real(x) + within.u) / Real(world.width) - Real(0.5);
     const Real v = (Real(y) + within.v) / Real(world.height) - Real(0.5);
     const Vec<Real> across = eye.column * u + eye.row * v;
-    Vec<Real> o = eye.window ? eye.eye + across : eye.eye, d = eye.forward + across;
-    if (world.disturbance) {
-        std::uint64_t key = (std::uint64_t{y} * world.width + x) * 4096 + sample % 4096;
-        const auto disturb = [&](Real& component) {
-            key += std::uint64_t{1} << 48U;
-            component = component * Real(1 + world.disturbance->size * noise(world.disturbance->seed, key));
-        };
-        d = unit(d);
-        for (Real* component : {&o.x, &o.y, &o.z, &d.x, &d.y, &d.z}) disturb(*component);
-    }
+    const Ray<Real> ray{eye.window ? eye.eye + across : eye.eye, unit(eye.forward + across)};
+    const std::uint64_t key = (std::uint64_t{y} * world.width + x) * 4096 + sample % 4096;
     Path path;
-    Tracer<Real>(world, path).from({o, unit(d)});
+    Tracer<Real>(world, path, key).from(ray);
     return path;
 }
 

@@ -2,9 +2,8 @@
 #ifndef CLUCIDA_ROUNDING_H
 #define CLUCIDA_ROUNDING_H
 
+#include "kernels/epsilon.h"
 #include "kernels/line.h"
-
-#define EPSILON R(1e-4f)
 
 static inline real position_error(vec o, real t)
 {

@@ -1,0 +1,10 @@
+/// The subcommands of `clucida-bench`, one file each.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace clucida::bench {
+
+void add_error(CLI::App& app);
+
+} // namespace clucida::bench

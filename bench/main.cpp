@@ -1,0 +1,17 @@
+#include "bench/commands.h"
+#include "host/guarded.h"
+#include "host/interrupt.h"
+
+int main(int argc, char** argv)
+{
+    using namespace clucida;
+    host::catch_interrupts();
+    CLI::App app("How far from right, how fast: figures for clucida.", "clucida-bench");
+    app.set_version_flag("--version", "clucida-bench " CLUCIDA_VERSION);
+    app.require_subcommand(1);
+    app.footer("Example:\n"
+               "  clucida-bench error scene.clu -s 320x180 -o where.png\n"
+               "\nclucida-bench COMMAND --help tells more.");
+    bench::add_error(app);
+    return host::run_guarded(app, argc, argv);
+}
