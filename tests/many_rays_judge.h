@@ -80,6 +80,8 @@ bool append_crossings(const Target<W>& target, std::size_t i, const Wide3<W>& o,
         if (p.a != 0) push(q / p.a, magnitude(p.a) <= rounding * p.a_size);
     }
     if (p.a == 0) return true;
+    // With A of the other sign it would be met, far away.
+    if (discriminant <= 0 && magnitude(p.a) <= rounding * p.a_size) return false;
     const Wide3<W> middle = along(near, d, -p.b / p.a), g = member.gradient(middle);
     return magnitude(discriminant / p.a) > rounding * size_at(target, middle) * root(dot(g, g));
 }
@@ -161,15 +163,16 @@ First<W> first_event(const Target<W>& target, const Wide3<W>& o, const Wide3<W>&
     return e;
 }
 
-/// |p - at| x cos over u x size, where the ray's first event lies at `at`.
+/// |p - at| x cos over u x size, where the ray's first event lies at `at`. The angle is that at which the line as it is
+/// meets the surface.
 template <typename W>
 double error_units(const Target<W>& target, const First<W>& e, const Wide3<W>& o, const Wide3<W>& d, Vec3 p, double u)
 {
+    const W slope = target.leaf.members[e.member].slope(along(o, d, e.twin), d);
     const auto units = [&](W t) {
         const Wide3<W> at = along(o, d, t);
         const Wide3<W> off{W(p.x) - at[0], W(p.y) - at[1], W(p.z) - at[2]};
-        return static_cast<double>(root(dot(off, off)) / target.leaf.members[e.member].slope(at, d) /
-                                   (size_at(target, at) * W(u)));
+        return static_cast<double>(root(dot(off, off)) / slope / (size_at(target, at) * W(u)));
     };
     return e.twin == e.t ? units(e.t) : std::min(units(e.t), units(e.twin));
 }
