@@ -74,16 +74,17 @@ bool append_crossings(const Target<W>& target, std::size_t i, const Wide3<W>& o,
         return true;
     }
     const W discriminant = p.b * p.b - p.a * p.c;
+    const bool flat = magnitude(p.a) <= rounding * p.a_size; // A might as well have the other sign
     if (discriminant > 0) {
         const W q = -(p.b + (p.b < 0 ? -root(discriminant) : root(discriminant)));
-        push(p.c / q, false);
-        if (p.a != 0) push(q / p.a, magnitude(p.a) <= rounding * p.a_size);
+        push(p.c / q, flat && rounding * p.a_size * magnitude(p.c) > discriminant / 2);
+        if (p.a != 0) push(q / p.a, flat);
     }
     if (p.a == 0) return true;
-    // With A of the other sign it would be met, far away.
-    if (discriminant <= 0 && magnitude(p.a) <= rounding * p.a_size) return false;
+    if (flat && discriminant <= 0) return false;
     const Wide3<W> middle = along(near, d, -p.b / p.a), g = member.gradient(middle);
-    return magnitude(discriminant / p.a) > rounding * size_at(target, middle) * root(dot(g, g));
+    const W blur = rounding * size_at(target, middle);
+    return magnitude(discriminant / p.a) > blur * (root(dot(g, g)) + blur * member.curvature());
 }
 
 /// The other crossing of a member that the ray leaves at o, where one lies by definition.

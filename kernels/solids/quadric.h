@@ -117,7 +117,7 @@ static inline Span quadric_span_left(__global const LayoutQuadric* q, const Line
     const real start = line->start;
     if ((a > R(0)) != (line->left_inside != 0)) return span_left(line, a, span.lo, span.slope_lo);
     const real blur = span.slope_lo * line_error(line, start) + span.slope_hi * line_error(line, span.hi);
-    if (a != R(0) && !(span.hi - start > R(16) * blur)) span.hi = start + quadric_deflated(q, line);
+    if (a != R(0) && !(span.hi - start > R(2) * blur)) span.hi = start + quadric_deflated(q, line);
     return span_left(line, a, span.hi, span.slope_hi);
 }
 
