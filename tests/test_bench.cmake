@@ -6,3 +6,5 @@ function(clucida_oracle_test name)
 endfunction()
 
 clucida_oracle_test(test_oracle test_oracle.cpp LIBS clucida_oracle fmt::fmt)
+clucida_oracle_test(test_oracle_solids test_oracle_solids.cpp LIBS clucida_oracle fmt::fmt)
+clucida_oracle_test(test_oracle_paths test_oracle_paths.cpp LIBS clucida_oracle fmt::fmt)
