@@ -38,7 +38,8 @@ Explained explain(const scene::Scene& scene, const oracle::Options& options, con
     oracle::Options disturbed = options;
     while (!open.empty() && out.seeds < most_seeds) {
         if (host::interrupted()) throw host::Interrupted();
-        disturbed.disturbance = {++out.seeds, flip_disturbance};
+        out.seeds++;
+        disturbed.disturbance = {out.seeds, flip_disturbance, out.seeds % 3 == 1, out.seeds % 3 == 2};
         std::vector<oracle::Pixel> pixels;
         for (const Open& o : open) pixels.push_back(o.flip->pixel);
         const std::vector<oracle::Path> paths = make_truth(scene, disturbed, RealType::float64, threads)(pixels);

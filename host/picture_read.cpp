@@ -1,6 +1,8 @@
 #include "host/atomic_file.h"
 #include "host/errors.h"
 #include "host/picture_file.h"
+#include "scene/picture_check.h"
+#include "scene/pnm.h"
 
 #include <fmt/format.h>
 #include <stb/stb_image.h>
@@ -75,38 +77,12 @@ Picture decode_pfm(std::string_view bytes, const std::string& name)
     return picture;
 }
 
-/// The next number of a PNM header, past blanks and comments; 0 if there is none.
-unsigned pnm_number(std::string_view bytes, std::size_t& at)
+Picture decode_pnm(std::string_view bytes, const std::string& name, Transfer transfer)
 {
-    const auto digit = [&] { return at < bytes.size() && bytes[at] >= '0' && bytes[at] <= '9'; };
-    while (at < bytes.size() && !digit()) {
-        if (bytes[at] == '#') at = std::min(bytes.find('\n', at), bytes.size());
-        ++at;
-    }
-    unsigned n = 0;
-    for (; digit() && n <= 65536; ++at) n = 10 * n + static_cast<unsigned>(bytes[at] - '0');
-    return n;
-}
-
-/// Binary PPM. stb_image reads it too, but the bytes of its 16-bit samples in the wrong order.
-Picture decode_ppm(std::string_view bytes, const std::string& name, Transfer transfer)
-{
-    std::size_t at = 2;
-    const unsigned width = pnm_number(bytes, at), height = pnm_number(bytes, at), most = pnm_number(bytes, at);
-    ++at; // one blank ends the header
-    if (width < 1 || height < 1 || most < 1 || width > 65536 || height > 65536 || most > 65535)
-        throw Failure(fmt::format("{}: the header of the PPM is wrong", name));
-    const std::size_t step = most > 255 ? 2 : 1, count = std::size_t{3} * width * height;
-    if (bytes.size() < at || bytes.size() - at < step * count)
-        throw Failure(fmt::format("{}: the PPM is cut short", name));
-    const auto table = linear_table(most + 1, transfer);
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned>(static_cast<unsigned char>(bytes[at + i])); };
-    Picture picture = make_picture(width, height);
-    for (std::size_t i = 0; i < count; ++i) {
-        const unsigned sample = step == 1 ? byte(i) : byte(2 * i) << 8 | byte(2 * i + 1);
-        picture.rgb[i] = table[std::min(sample, most)];
-    }
-    return picture;
+    const scene::Pnm pnm = scene::read_pnm(bytes);
+    if (!pnm.fault.empty()) throw Failure(fmt::format("{}: {}", name, pnm.fault));
+    return from_samples(pnm.samples.data(), static_cast<int>(pnm.width), static_cast<int>(pnm.height), pnm.most + 1,
+                        transfer);
 }
 
 } // namespace
@@ -114,8 +90,10 @@ Picture decode_ppm(std::string_view bytes, const std::string& name, Transfer tra
 Picture decode(std::string_view bytes, const std::string& name, Transfer transfer)
 {
     if (bytes.substr(0, 2) == "PF") return decode_pfm(bytes, name);
-    if (bytes.substr(0, 2) == "P6") return decode_ppm(bytes, name, transfer);
+    if (scene::is_pnm(bytes)) return decode_pnm(bytes, name, transfer);
     if (bytes.size() > INT_MAX) throw Failure(fmt::format("{}: the file is too large", name));
+    if (const std::string fault = scene::picture_fault(bytes); !fault.empty())
+        throw Failure(fmt::format("{}: not a picture that can be read ({})", name, fault));
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const int size = static_cast<int>(bytes.size());
     int width = 0, height = 0, channels = 0;

@@ -49,7 +49,7 @@ static inline Span span_everything(void)
  * stored to, which counts between objects that store the same surface each in its own way. */
 static inline real line_error(const Line* line, real t)
 {
-    return ROUNDINGS * UNIT_ROUNDOFF * fmax(largest(line->base) + fabs(t), line->grain);
+    return ROUNDINGS * UNIT_ROUNDOFF * fmax(fmax(largest(line->base), fabs(t)), line->grain);
 }
 static inline real stored_error(const Line* line, real t)
 {

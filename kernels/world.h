@@ -54,7 +54,7 @@ typedef struct {
 
 static inline real position_error(vec o, real t)
 {
-    return ROUNDINGS * R(STORED_ROUNDOFF) * (largest(o) + fabs(t));
+    return ROUNDINGS * R(STORED_ROUNDOFF) * fmax(largest(o), fabs(t));
 }
 
 #endif

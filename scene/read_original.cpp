@@ -219,6 +219,10 @@ void Reader::observer()
             o.row = (side / length(across)) * across;
             const Vec3 along = cross(e, o.row);
             o.column = (side / length(along)) * along;
+            for (double* x : {&o.column.x, &o.column.y, &o.column.z, &o.row.x, &o.row.y, &o.row.z}) {
+                if (std::abs(*x) < limits::smallest) *x = 0; // computed, and less than a text may say
+                check_number(source_, at[2], *x);
+            }
         }
     }
     check(source_, fault_of(o), at);

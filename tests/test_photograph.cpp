@@ -42,6 +42,17 @@ TEST(LoadPhotograph, GreyBecomesThreeEqualChannels)
     EXPECT_EQ(load_photograph(photograph("grey.pgm")).rgb, (std::vector<std::uint32_t>{0, 0x808080, 0xFFFFFF}));
 }
 
+TEST(LoadPhotograph, SixteenBitsOfPgmAndPpmBecomeEight)
+{
+    EXPECT_EQ(load_photograph(photograph("grey16.pgm")).rgb, (std::vector<std::uint32_t>{0, 0x808080, 0xFFFFFF}));
+    EXPECT_EQ(load_photograph(photograph("color16.ppm")).rgb, (std::vector<std::uint32_t>{0x0180FF}));
+}
+
+TEST(LoadPhotograph, TheLargestValueOfAPgmIsWhite)
+{
+    EXPECT_EQ(load_photograph(photograph("grey15.pgm")).rgb, (std::vector<std::uint32_t>{0, 0x555555, 0xFFFFFF}));
+}
+
 TEST(LoadPhotograph, PngIsReadAsWell)
 {
     const Texels texels = load_photograph(photograph("five.png"));
@@ -59,6 +70,37 @@ TEST(LoadPhotograph, WhatIsMissingBrokenOrTooLargeIsAnErrorAtItsPlace)
 TEST(LoadPhotograph, APictureThatIsCutOffIsAnErrorAtItsPlace)
 {
     expect_refused("broken.png", "no photograph that can be read");
+    expect_refused("short.ppm", "the PPM is cut short");
+}
+
+// The next three are what stb_image 2.27 stumbles over: it writes past its table, takes a GiB of memory, waits for
+// ever.
+TEST(LoadPhotograph, AJpegWithMoreHuffmanCodesThanThereAreBytesIsAnErrorAtItsPlace)
+{
+    expect_refused("huffman.jpg", "a table of the JPEG is too long");
+}
+
+TEST(LoadPhotograph, APngWithAChunkThatClaimsMoreThanTheFileIsAnErrorAtItsPlace)
+{
+    expect_refused("chunk.png", "the PNG is cut short");
+}
+
+TEST(LoadPhotograph, ARadiancePictureThatEndsWithinARunIsAnErrorAtItsPlace)
+{
+    expect_refused("cut.hdr", "the Radiance picture is cut short");
+}
+
+TEST(LoadPhotograph, ARadiancePictureWithARowTooFewIsAnErrorAtItsPlace)
+{
+    expect_refused("short.hdr", "the Radiance picture is cut short");
+}
+
+TEST(LoadPhotograph, AWholeRadiancePictureInRunsIsRead)
+{
+    const Texels texels = load_photograph(photograph("runs.hdr"));
+    EXPECT_EQ(texels.width, 8U);
+    EXPECT_EQ(texels.height, 2U);
+    EXPECT_EQ(texels.rgb.size(), 16U);
 }
 
 } // namespace

@@ -82,6 +82,21 @@ TEST(PictureFile, integer_formats_come_back_with_the_bytes_they_were_given)
     }
 }
 
+TEST(PictureFile, a_grey_map_of_16_bits_is_read)
+{
+    const Picture p = decode(std::string_view("P5 2 1 65535\n\xff\xff\x80\x00", 17), "test", Transfer::linear);
+    const float half = 32768.F / 65535.F;
+    EXPECT_EQ(p.rgb, (std::vector<float>{1, 1, 1, half, half, half}));
+}
+
+// With stb_image 2.27 it waits for ever.
+TEST(PictureFile, a_radiance_picture_that_ends_within_a_run_is_refused)
+{
+    std::string bytes = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 8\n";
+    bytes += std::string("\x02\x02\x00\x08\x88\x64", 6);
+    EXPECT_THROW(decode(bytes, "test"), Failure);
+}
+
 TEST(PictureFile, float_maps_come_back_bit_for_bit)
 {
     const Picture p = ramp(37, 23);

@@ -1,3 +1,4 @@
+#include "scene/write.h"
 #include "test_read_support.h"
 
 #include <cmath>
@@ -81,6 +82,15 @@ TEST(ReadRayt, CuboidsHaveReciprocalHalfSizesOfAnySignAndZeroIsUnbounded)
 {
     const Scene scene = read(data_text("full.rayt"), Format::rayt);
     EXPECT_EQ(std::get<Cuboid>(scene.objects[6].solid->node), (Cuboid{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, .5, 0}}));
+}
+
+TEST(ReadRayt, AWindowThatIsComputedHoldsOnlyNumbersThatATextMaySay)
+{
+    const Scene scene = read("6.1e37 -4 .2  0 0 0  -2 -.3 0\n0\nrgb\n0\n", Format::rayt);
+    const auto window = std::get<Window>(scene.observer);
+    EXPECT_NEAR(window.row.z, -std::hypot(2, .3), 1e-12);
+    EXPECT_EQ(window.row.x, 0); // 6.6e-39
+    EXPECT_EQ(read(print_scene(scene)), scene);
 }
 
 TEST(ReadRayt, TheWindowIsSquareAndStandsAcrossTheView)

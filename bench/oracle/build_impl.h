@@ -144,7 +144,7 @@ World<Real> build(const scene::Scene& scene, const Options& options)
     world.disturbance = options.disturbance;
     const Real aspect = Real(world.width) / Real(world.height);
     world.observer = std::visit([&](const auto& o) { return make_observer(o, aspect); }, scene.observer);
-    const Disturber<Real> disturb{options.disturbance, world.observer.eye};
+    Disturber<Real> disturb{options.disturbance, world.observer.eye};
     world.cutoff = disturb(Real(options.view.cutoff.value_or(scene.settings.cutoff)));
 
     for (const scene::Optics& o : scene.optics)
@@ -156,6 +156,7 @@ World<Real> build(const scene::Scene& scene, const Options& options)
     world.sky = make_sky<Real>(scene.sky);
     for (const scene::Object& o : scene.objects) {
         Object<Real> object;
+        disturb.object++;
         SolidBuilder<Real>(disturb, object).build(*o.solid);
         object.optics = static_cast<std::uint32_t>(o.optics);
         if (o.texture) object.texture = static_cast<std::uint32_t>(*o.texture);

@@ -10,8 +10,9 @@ template <class Real>
 struct Disturber {
     std::optional<Disturbance> by;
     Vec<Real> eye;
+    std::uint64_t object = 0; ///< its number from 1, or 0
 
-    Real operator()(const Real& x) const { return by ? Real(x * Real(disturbed_by(by, to_double(x)))) : x; }
+    Real operator()(const Real& x) const { return by ? Real(x * Real(disturbed_by(by, to_double(x), object))) : x; }
     Vec<Real> vector(const Vec<Real>& v) const { return {(*this)(v.x), (*this)(v.y), (*this)(v.z)}; }
     Mat<Real> matrix(const Mat<Real>& m) const { return {vector(m.x), vector(m.y), vector(m.z)}; }
     Vec<Real> point(const Vec<Real>& p) const { return by ? eye + vector(p - eye) : p; }
@@ -62,11 +63,22 @@ public:
         out.tree.root = add(solid, {});
         for (const Primitive<Real>& p : out.primitives) out.rough.push_back(rough_of(p));
         out.box = bounds_of(out.tree, enclosures);
+        if (disturb.by) widen(out.box);
     }
 
 private:
     using Place = Affine<Real>;
     using Kind = Tree::Kind;
+
+    /// Where rays are disturbed they meet the solid a little beside its place, too.
+    void widen(Box& box) const
+    {
+        const double far = size_of(disturb.eye);
+        for (std::size_t i = 0; i < 3; i++) {
+            box.low[i] -= 64 * disturb.by->size * (std::fabs(box.low[i]) + far);
+            box.high[i] += 64 * disturb.by->size * (std::fabs(box.high[i]) + far);
+        }
+    }
 
     std::uint32_t node(Kind kind, std::vector<std::uint32_t> of, std::uint32_t primitive = 0)
     {

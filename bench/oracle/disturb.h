@@ -7,12 +7,15 @@
 
 namespace clucida::oracle {
 
-/// Every number x of the scene becomes x (1 + size h), with h in -1..1 a hash of the seed and of |x|; so do the
-/// coordinates of the observer's rays' origins, each with an h of its own. Of every ray's direction, as it starts, each
-/// component changes by size h of the direction's length.
+/// Every number x of the scene becomes x (1 + size h), with h in -1..1 a hash of the seed and of |x|. So do the numbers
+/// of every ray as it starts, its origin counted from the observer's eye, each with an h of its own.
 struct Disturbance {
     std::uint64_t seed = 0;
     double size = 0;
+    bool apart = false; ///< equal numbers of different objects become different: faces are flush to rounding only
+    /// Surfaces that a disturbance of that size can bring to one place along the ray are met there as one. (That they
+    /// meet exactly is among what may happen, but no random disturbance finds it.)
+    bool merging = false;
 };
 
 /// In -1..1 (Steele, Lea, Flood: Fast splittable pseudorandom number generators, the mixing of splitmix64).
@@ -38,10 +41,12 @@ inline std::uint64_t key_of(double x)
     return (carry ? bits >> 1U : bits) + (static_cast<std::uint64_t>(exponent + (carry ? 1 : 0) + 2000) << 32U);
 }
 
-/// The factor of the number x.
-inline double disturbed_by(const std::optional<Disturbance>& disturbance, double x)
+/// The factor of the number x of an object, or of what belongs to none (0).
+inline double disturbed_by(const std::optional<Disturbance>& disturbance, double x, std::uint64_t object)
 {
-    return disturbance ? 1 + disturbance->size * noise(disturbance->seed, key_of(x)) : 1;
+    if (!disturbance) return 1;
+    const std::uint64_t own = disturbance->apart ? object << 40U : 0;
+    return 1 + disturbance->size * noise(disturbance->seed, key_of(x) ^ own);
 }
 
 } // namespace clucida::oracle

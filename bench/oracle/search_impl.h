@@ -66,6 +66,18 @@ struct Line {
     }
 };
 
+/// How far along the ray a disturbance moves a crossing.
+template <class Real>
+double merging_slack(const World<Real>& world, const Line<Real>& line, const Real& t, const Primitive<Real>& p)
+{
+    constexpr double most_slope = 1e4;
+    const Vec<Real> at = line.ray.o + line.ray.d * t, g = gradient_at(p, at);
+    const double steep = std::fabs(to_double(Real(dot(g, line.ray.d)))),
+                 size = to_double(length(at - world.observer.eye));
+    const double slope = std::min(to_double(length(g)) / std::max(steep, 1e-300), most_slope);
+    return world.disturbance->size * std::max(size, to_double(t)) * slope;
+}
+
 /// An object along the line: its primitives' functions, appended to alongs, and its crossings ahead, to crossings.
 template <class Real>
 void look_at(const World<Real>& world, const Line<Real>& line, std::uint32_t index, std::vector<Along<Real>>& alongs,
@@ -77,7 +89,8 @@ void look_at(const World<Real>& world, const Line<Real>& line, std::uint32_t ind
         const Along<Real> q = along(p, object.rough[i], line.ray, line.rough, line.leaves(index, i));
         for_crossings(p, q, line.ray, [&](const Real& t) {
             if (!(t > 0)) return;
-            const double slack = line.slack(t, p);
+            double slack = line.slack(t, p);
+            if (world.disturbance && world.disturbance->merging) slack = merging_slack(world, line, t, p);
             if (line.start.anywhere && t <= slack) return;
             crossings.push_back({t, slack, index, i});
         });
@@ -119,7 +132,8 @@ public:
             const Real middle_before = middle;
             middle = middle_of(low, beyond);
             const std::uint32_t after = medium_at(middle);
-            if (after != result.before) {
+            // A disturbed ray may start where no such start can be: what then changes between crossings is not met.
+            if (after != result.before && crosses(here, std::min(after, result.before))) {
                 result.hit = hit(here, middle_before, result.before, after);
                 return result;
             }
@@ -133,6 +147,14 @@ private:
     struct Cluster {
         std::size_t begin = 0, end = 0;
     };
+
+    bool crosses(const Cluster& here, std::uint32_t object) const
+    {
+        for (std::size_t i = here.begin; i < here.end; i++)
+            if (crossings_[i].object == object) return true;
+        return false;
+    }
+
     struct Loaded {
         std::uint32_t object = 0;
         std::size_t alongs = 0; ///< where its primitives' functions begin

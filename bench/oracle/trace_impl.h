@@ -25,7 +25,7 @@ public:
     {
         const Rgb<Real> one{Real(1), Real(1), Real(1)};
         Rgb<Real> color{};
-        trace(Line<Real>(ray, {{}, true}), 0, one, one, color);
+        trace(Line<Real>(disturbed(ray), {{}, true}), 0, one, one, color);
         for (std::size_t i = 0; i < 3; i++) path_.rgb[i] = to_double(color[i]);
     }
 
@@ -176,7 +176,7 @@ private:
         Rgb<Real> color = hit.before == vacuum ? absorbed(hit, n, look.absorption, event) : Rgb<Real>{};
         const auto branch = [&](const Vec<Real>& direction, const Rgb<Real>& filter, What followed) {
             Rgb<Real> seen{};
-            const Line<Real> next_line({hit.point, disturbed(direction)}, {hit.surfaces, false});
+            const Line<Real> next_line(disturbed({hit.point, direction}), {hit.surfaces, false});
             if (!trace(next_line, path_.events[event].hop + 1, times(throughput, filter), times(weight, filter), seen))
                 return;
             path_.events[event].what |= followed;
@@ -205,6 +205,22 @@ private:
             for (std::size_t k = 0; k < 3; k++) sum[k] += light.color[k] * filter[k] * u;
         }
         return sum;
+    }
+
+    /// A ray as it starts is known to rounding only, too. Its numbers come from sums: what rounds counts against the
+    /// vector's length, not against each component.
+    Ray<Real> disturbed(const Ray<Real>& ray)
+    {
+        if (!world_.disturbance) return ray;
+        const auto disturb = [&](const Vec<Real>& v) {
+            const double size = world_.disturbance->size * to_double(length(v));
+            Vec<Real> out = v;
+            for (Real* component : {&out.x, &out.y, &out.z})
+                *component += Real(size * noise(world_.disturbance->seed, key_ += std::uint64_t{1} << 48U));
+            return out;
+        };
+        const Vec<Real>& eye = world_.observer.eye;
+        return {eye + disturb(ray.o - eye), unit(disturb(ray.d))};
     }
 
     const World<Real>& world_;
@@ -236,18 +252,10 @@ Path observe(const World<Real>& world, unsigned x, unsigned y, unsigned sample)
     const Real u = (Real(x) + within.u) / Real(world.width) - Real(0.5);
     const Real v = (Real(y) + within.v) / Real(world.height) - Real(0.5);
     const Vec<Real> across = eye.column * u + eye.row * v;
-    Vec<Real> o = eye.window ? eye.eye + across : eye.eye, d = eye.forward + across;
-    std::uint64_t key = (std::uint64_t{y} * world.width + x) * 4096 + sample % 4096;
-    if (world.disturbance) {
-        const auto disturbance = [&] {
-            key += std::uint64_t{1} << 48U;
-            return Real(world.disturbance->size * noise(world.disturbance->seed, key));
-        };
-        for (Real* x : {&o.x, &o.y, &o.z}) *x = *x * (Real(1) + disturbance());
-    }
+    const Ray<Real> ray{eye.window ? eye.eye + across : eye.eye, unit(eye.forward + across)};
+    const std::uint64_t key = (std::uint64_t{y} * world.width + x) * 4096 + sample % 4096;
     Path path;
-    Tracer<Real> tracer(world, path, key);
-    tracer.from({o, tracer.disturbed(unit(d))});
+    Tracer<Real>(world, path, key).from(ray);
     return path;
 }
 
