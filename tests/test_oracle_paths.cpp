@@ -163,27 +163,29 @@ TEST(OracleDisturbances, OfSizeZeroChangeNothing)
 
 TEST(OracleDisturbances, ChangeNoNumberByMoreThanTheirSizeAndEqualNumbersAlike)
 {
+    const auto change = [](std::uint64_t seed, double x, std::uint64_t object = 0, bool apart = false) {
+        return disturbed_by(Disturbance{seed, 0x1p-20, apart}, x, object) - 1;
+    };
     Random random(1);
     double most = 0;
     for (std::uint64_t i = 0; i < 1000; i++) {
         const double x = std::ldexp(uniform(random, 1, 2), static_cast<int>(random() % 200) - 30);
-        const Disturbance by{i, 0x1p-20};
-        const double change = disturbed_by(by, x) - 1;
-        EXPECT_LE(std::fabs(change), 0x1p-20);
-        EXPECT_EQ(disturbed_by(by, -x) - 1, change);
-        EXPECT_NE(disturbed_by(Disturbance{i + 1, 0x1p-20}, x) - 1, change);
-        most = std::max(most, std::fabs(change));
+        EXPECT_LE(std::fabs(change(i, x)), 0x1p-20);
+        EXPECT_EQ(change(i, -x), change(i, x));
+        EXPECT_EQ(change(i, x, 1), change(i, x, 2));
+        EXPECT_NE(change(i, x, 1, true), change(i, x, 2, true));
+        EXPECT_NE(change(i + 1, x), change(i, x));
+        most = std::max(most, std::fabs(change(i, x)));
     }
     EXPECT_GT(most, .95 * 0x1p-20);
     for (std::uint64_t seed = 0; seed < 100; seed++) {
-        const Disturbance by{seed, 0x1p-20};
-        EXPECT_EQ(disturbed_by(by, .1 + .2), disturbed_by(by, .3));
-        EXPECT_EQ(disturbed_by(by, std::nextafter(1.0, 0.0)), disturbed_by(by, 1));
+        EXPECT_EQ(change(seed, .1 + .2), change(seed, .3));
+        EXPECT_EQ(change(seed, std::nextafter(1.0, 0.0)), change(seed, 1));
     }
-    EXPECT_EQ(disturbed_by(std::nullopt, 3), 1);
+    EXPECT_EQ(disturbed_by(std::nullopt, 3, 1), 1);
 }
 
-TEST(OracleDisturbances, MoveASphereByTheirSizeAndLeaveFlushFacesFlush)
+TEST(OracleDisturbances, MoveASphereByTheirSizeAndLeaveFlushFacesFlushUnlessApart)
 {
     const std::string clear = "; optics { index 1; refraction 1 } }\n";
     const scene::Scene ball = read("object { solid sphere([0,9,0], 2)" + clear);
@@ -193,16 +195,30 @@ TEST(OracleDisturbances, MoveASphereByTheirSizeAndLeaveFlushFacesFlush)
     const Three<double> o{0, 0, 0}, d{.01, 1, .02};
     const double plain = next(build<double>(ball, {}), o, d)->t;
     double most = 0;
+    std::size_t gaps = 0;
     for (std::uint64_t seed = 1; seed <= 100; seed++) {
         Options options;
         options.disturbance = Disturbance{seed, 1e-6};
         const double t = next(build<double>(ball, options), o, d)->t;
         most = std::max(most, std::fabs(t - plain));
-        const auto found = surfaces_along(build<double>(stack, options), o, d);
-        ASSERT_EQ(found.size(), 4U) << "no vacuum between the blocks, seed " << seed;
+        ASSERT_EQ(surfaces_along(build<double>(stack, options), o, d).size(), 4U) << "no vacuum, seed " << seed;
+        options.disturbance->apart = true;
+        if (surfaces_along(build<double>(stack, options), o, d).size() > 4) gaps++;
     }
     EXPECT_LE(most, 1.2e-5) << "9 by the centre, 2 by the radius";
     EXPECT_GE(most, 4e-6);
+    EXPECT_GT(gaps, 20U);
+}
+
+TEST(OracleDisturbances, MeetAsOneWhatTheyCanBringToOnePlaceWhenMerging)
+{
+    const scene::Scene film = read("object { solid cuboid([0,5,0], [4,4e-6,4]); optics { index 1; refraction 1 } }\n");
+    for (const double size : {1e-8, 1e-5}) {
+        Options options;
+        options.disturbance = Disturbance{1, size, false, true};
+        const auto hit = next(build<double>(film, options), {0, 0, 0}, {0, 1, 0});
+        EXPECT_EQ(hit.has_value(), size < 1e-6) << "at a size of " << size;
+    }
 }
 
 TEST(Oracle, DoesNotImitateTheOriginalProgramAndSaysSo)

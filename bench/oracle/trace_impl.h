@@ -29,19 +29,6 @@ public:
         for (std::size_t i = 0; i < 3; i++) path_.rgb[i] = to_double(color[i]);
     }
 
-    /// A ray is known to rounding only. Its direction is a sum of vectors: what rounds away of a component counts
-    /// against the direction's length.
-    Vec<Real> disturbed(const Vec<Real>& d)
-    {
-        if (!world_.disturbance) return d;
-        Vec<Real> out = d;
-        for (Real* component : {&out.x, &out.y, &out.z}) {
-            const double h = noise(world_.disturbance->seed, key_ += std::uint64_t{1} << 48U);
-            *component = *component + Real(world_.disturbance->size * h);
-        }
-        return unit(out);
-    }
-
 private:
     static bool below(const Rgb<Real>& c, const Real& limit) { return c[0] < limit && c[1] < limit && c[2] < limit; }
     static bool black(const Rgb<Real>& c) { return c[0] == 0 && c[1] == 0 && c[2] == 0; }
