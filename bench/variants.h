@@ -1,4 +1,4 @@
-/// The kernels to compare.
+/// Variants of the kernels' numerics, to be measured against each other.
 #pragma once
 
 #include "host/kernel_source.h"
@@ -8,15 +8,14 @@
 
 namespace clucida::bench {
 
-inline const std::string full_variant = "full";
+inline const std::string full_variant = "full"; ///< the kernels as they are
 
-inline std::vector<std::string> variant_names()
-{
-    return {full_variant};
-}
-inline host::FileTexts variant_kernels(const std::string&)
-{
-    return host::embedded_kernel;
-}
+/// "naive" (textbook formulas and a global epsilon), "reoriginated" (those, at the point nearest to the object) and
+/// "full" (the kernels as they are).
+std::vector<std::string> variant_names();
+
+/// The kernels' text with the files that the variant replaces (bench/variants/).
+/// @throws std::invalid_argument if there is no such variant
+host::FileTexts variant_kernels(const std::string& name);
 
 } // namespace clucida::bench

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-extern const char* const clucida_embedded_kernels[]; // made by kernels/embed.cmake
+extern const char* const clucida_kernels_table[]; // made by kernels/embed.cmake
 
 namespace clucida::host {
 namespace {
@@ -115,7 +115,7 @@ private:
 
 std::optional<std::string_view> embedded_kernel(const std::string& path)
 {
-    for (const char* const* entry = clucida_embedded_kernels; *entry; entry += 2)
+    for (const char* const* entry = clucida_kernels_table; *entry; entry += 2)
         if (path == entry[0]) return entry[1];
     return std::nullopt;
 }

@@ -7,17 +7,9 @@
 #include "kernels/solids/sphere.h"
 #include "kernels/solids/torus.h"
 
-/* A boundary met at ray parameter t, which is `at` on the object's line (the sharper of the two from far off). face
- * carries MEMBER_INVERSE where the object lies outside the primitive. */
-typedef struct {
-    real t, at, slope;
-    real err; /* how far off rounding may have put it, if it is met at right angles */
-    u32 face;
-} Crossing;
-
 static inline Span member_span(const World* world, u32 member, const Line* line)
 {
-    const int left = (member & ~MEMBER_INVERSE) == line->left;
+    const int left = just_left(line, member);
     const u32 index = member >> MEMBER_SHIFT;
     Span span = span_nothing();
     switch (member & MEMBER_KIND) {
@@ -34,7 +26,7 @@ static inline Span member_span(const World* world, u32 member, const Line* line)
     case MEMBER_TORUS: {
         const u32 part = index & 1u;
         member &= ~MEMBER_PART; /* both parts have the torus's face */
-        span = torus_span(&world->tori[index >> 1], line, part, (member & ~MEMBER_INVERSE) == line->left);
+        span = torus_span(&world->tori[index >> 1], line, part, just_left(line, member));
         break;
     }
 #endif
@@ -180,31 +172,6 @@ static inline real next_end(const Line* line, const Span* spans, u32 count, real
 }
 #endif
 
-/* The ray in the object's frame. From far off the line's base is its point nearest to the centre, so that the object
- * is seen sharply; else it is the ray's origin itself, so that what lies on a surface stays there. */
-static inline Line make_line(const Ray* ray, __global const LayoutObject* object)
-{
-    const vec center = load_vec(object->center);
-    Line line;
-    line.d = ray->d;
-    line.dd = ray->dd;
-    line.origin = line.base = sub(ray->o, center);
-    line.start = R(0);
-    line.err = ray->err;
-    line.grain = R(object->grain);
-    line.left = ray->left;
-    line.left_inside = ray->left_inside;
-    if (dot3(line.origin, line.origin) > square(R(object->near))) {
-        /* What the subtraction rounded away counts from here. */
-        const vec lost = make_vec(difference_error(ray->o.x, center.x), difference_error(ray->o.y, center.y),
-                                  difference_error(ray->o.z, center.z));
-        const vec moment = add(cross_exact(line.origin, ray->d), cross3(lost, ray->d));
-        line.base = scaled(cross_exact(ray->d, moment), R(1) / line.dd);
-        line.start = dot3(line.origin, ray->d) / line.dd;
-    }
-    return line;
-}
-
 /* A boundary that must lie at x, since the interior says one thing and geometry another. Within rounding it does;
  * beyond, the interior was wrong: the crossing then has no face, and is counted. */
 static inline Crossing crossing_here(World* world, const Line* line, Crossing found, real x, real err)
@@ -218,14 +185,6 @@ static inline Crossing crossing_here(World* world, const Line* line, Crossing fo
     found.at = line->start + x;
     found.err = stored_error(line, found.at);
     return found;
-}
-
-/* How far off the crossing may be. The primitive that the ray has left is met as if the ray began right on it: what the
- * origin is off counts against others that store the same surface. */
-static inline real crossing_error(const Line* line, const Crossing* c)
-{
-    const real err = stored_error(line, c->at);
-    return (c->face & ~MEMBER_INVERSE) == line->left ? err + line->err : err;
 }
 
 /* Where the object's boundary is next crossed by a ray that at parameter x (known to err) is inside it, or not.

@@ -1,10 +1,10 @@
-# cmake -DKERNELS=folder -DOUT=file.cpp -P embed.cmake: writes the table that host/kernel_source.cpp declares,
+# cmake -DKERNELS=folder -DTABLE=name -DOUT=file.cpp -P embed.cmake: writes a table of the folder's kernel files,
 # path, text, path, text, ..., nullptr. Paths are written as the kernels include each other: "kernels/vec.h".
 file(GLOB files LIST_DIRECTORIES false ${KERNELS}/*.h ${KERNELS}/solids/*.h ${KERNELS}/*.cl)
 list(SORT files)
 
-set(table "// Made by kernels/embed.cmake.\nextern const char* const clucida_embedded_kernels[];\n")
-string(APPEND table "const char* const clucida_embedded_kernels[] = {\n")
+set(table "// Made by kernels/embed.cmake.\nextern const char* const ${TABLE}[];\n")
+string(APPEND table "const char* const ${TABLE}[] = {\n")
 foreach(file IN LISTS files)
   file(RELATIVE_PATH name ${KERNELS} ${file})
   file(READ ${file} text)

@@ -88,7 +88,7 @@ typedef struct {
 typedef struct {
     float center[3];
     float radius; /* of the bounding sphere; infinite if there is none */
-    float near;   /* from farther away than this a ray's line starts near the centre (csg.h); may be infinite */
+    float near;   /* from farther away than this a ray's line starts near the centre (line.h); may be infinite */
     float grain;  /* the largest length among its members: what they were rounded by as they were stored */
     u32 group_begin, group_count;
     u32 program_begin, program_count;

@@ -26,17 +26,6 @@ static inline int bound_met(__global const LayoutObject* object, const Ray* ray,
     return dot3(offset, offset) <= radius * radius && from <= middle + radius && to >= middle - radius;
 }
 
-/* Whether rounding cannot tell crossing c, no nearer than the nearest, from it. Each may be off across the ray by its
- * err, and along it as its slope makes of that; both by what the sum with the line's start rounds away. What is in
- * doubt is the nearest's place: a boundary met at a slant far beyond it is no less sure for being far. */
-static inline int coincides(Crossing nearest, Crossing c)
-{
-    const real beyond = c.t - nearest.t;
-    const real err = fmax(c.err - ROUNDINGS * R(STORED_ROUNDOFF) * beyond, nearest.err);
-    const real along_ray = fma(nearest.slope, nearest.err, R(4) * UNIT_ROUNDOFF * fabs(nearest.t));
-    return beyond <= fma(c.slope, err, along_ray);
-}
-
 static inline void interface_add(Interface* face, u32 id, Crossing crossing)
 {
     if (crossing.t < face->t) {
@@ -63,8 +52,7 @@ static inline real interface_spread(const Interface* face, real t)
 {
     real spread = R(0);
     for (u32 i = 0; i < face->count; i++) {
-        const Crossing c = face->crossings[i];
-        spread = fmax(spread, fabs(c.t - t) / fmax(c.slope, R(1)));
+        spread = fmax(spread, distance_at(&face->crossings[i], t));
     }
     return spread;
 }

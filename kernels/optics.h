@@ -1,16 +1,10 @@
-/* What a surface does to light: mirror directions, refraction, Fresnel's weights, the laws of diffuse light. */
+/* What a surface does to light: refraction by the scene's law, Fresnel's weights, the laws of diffuse light. */
 #ifndef CLUCIDA_OPTICS_H
 #define CLUCIDA_OPTICS_H
 
 #include "kernels/color.h"
+#include "kernels/directions.h"
 #include "kernels/world.h"
-
-/* The mirror's direction at normal n on the side that d comes from, cosine = -d.n. What n lacks in length counts. */
-static inline vec reflected(vec d, vec n, real cosine)
-{
-    const real twice = R(2) * cosine;
-    return renormalized(along(d, n, fma(-twice, length_excess(n), twice)));
-}
 
 #if defined(CLU_AS_GUN) || defined(CLU_AS_RAYT)
 /* The original program's refraction, which is not Snell's: it takes the cosine from the direction that it has already
@@ -29,22 +23,17 @@ static inline real refraction_det(real w, real cosine)
 
 static inline vec refracted(vec d, vec n, real w, real cosine, real det)
 {
-    return renormalized(normalized(along(scaled(d, w), n, w * w * cosine - sqrt(det))));
+    return unit(along(scaled(d, w), n, w * w * cosine - sqrt(det)));
 }
 #else
-/* Snell's law for a ray that comes from index n1 to n2; w = n1/n2, n the unit normal on the side that it comes from,
- * cosine = -d.n. det < 0 means total reflection. Written so that w = 1 changes nothing at all. */
 static inline real refraction_det(real w, real cosine)
 {
-    const real wa = w * cosine;
-    return fma(wa, wa, (R(1) - w) * (R(1) + w));
+    return snell_det(w, cosine);
 }
 
 static inline vec refracted(vec d, vec n, real w, real cosine, real det)
 {
-    const real s = fma(w, cosine, sqrt(det));
-    if (w == R(1) || s == R(0)) return d;
-    return renormalized(along(scaled(d, w), n, (w - R(1)) * (w + R(1)) / s));
+    return snell_refracted(d, n, w, cosine, det);
 }
 #endif
 

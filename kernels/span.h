@@ -1,22 +1,11 @@
 /* What a solid holds of a line: one interval, or all but one interval.
  *
- * Parameters are lengths along the line from its base (csg.h chooses it). Each end knows its face (the primitive) and
+ * Parameters are lengths along the line from its base (line.h chooses it). Each end knows its face (the primitive) and
  * its slope, 1/cos of the angle of incidence: a point that is wrong by e puts the end wrong by e * slope. */
 #ifndef CLUCIDA_SPAN_H
 #define CLUCIDA_SPAN_H
 
-#include "kernels/world.h"
-
-typedef struct {
-    vec base, d; /* base relative to the object's centre */
-    vec origin;  /* the ray's origin, relative to the centre too */
-    real start;  /* parameter of the ray's origin */
-    real err;    /* of the origin: Ray's */
-    real dd;     /* |d|^2 */
-    real grain;  /* the object's */
-    u32 left;
-    int left_inside;
-} Line;
+#include "kernels/rounding.h"
 
 typedef struct {
     real lo, hi;
@@ -43,31 +32,6 @@ static inline Span span_nothing(void)
 static inline Span span_everything(void)
 {
     return make_span(-INFINITE, INFINITE, R(0), 1);
-}
-
-/* The error of a parameter t on this line, for a surface met at right angles: by arithmetic, and by what members were
- * stored to, which counts between objects that store the same surface each in its own way. */
-static inline real line_error(const Line* line, real t)
-{
-    return ROUNDINGS * UNIT_ROUNDOFF * fmax(fmax(largest(line->base), fabs(t)), line->grain);
-}
-static inline real stored_error(const Line* line, real t)
-{
-    return R(STORED_ROUNDOFF / UNIT_ROUNDOFF) * line_error(line, t);
-}
-
-/* How well a boundary's place about x is known: among the object's own by arithmetic alone (err = 0); where other
- * objects' boundaries are crossed too, to within err, by how all were stored. */
-static inline real place_error(const Line* line, real x, real err)
-{
-    return err > R(0) ? stored_error(line, x) + err : line_error(line, x);
-}
-
-/* Whether an end at t lies before x, or so near after it that rounding cannot tell: the point at x is (t - x)/slope
- * away from the surface. */
-static inline int passed(const Line* line, real t, real slope, real x, real err)
-{
-    return t <= x || (is_finite(t) && t - x <= slope * place_error(line, x, err));
 }
 
 /* The span of a primitive that the ray has just left: one end is where the ray starts, exactly; the other lies

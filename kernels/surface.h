@@ -28,7 +28,7 @@ static inline Surface make_surface(const World* world, const Ray* ray, u32 id, C
     s.n = member_normal(world, crossing.face, &p);
     s.p = add(load_vec(world->objects[id].center), p);
     s.t = crossing.t;
-    s.err = fmax(position_error(s.p, R(0)), stored_error(&line, crossing.at)) + err;
+    s.err = surface_error(&line, crossing.at, s.p) + err;
     s.object = id;
     s.before = before;
     s.after = after;

@@ -2,7 +2,7 @@
 #ifndef CLUCIDA_VEC_H
 #define CLUCIDA_VEC_H
 
-#include "kernels/real.h"
+#include "kernels/compensated.h"
 
 typedef struct {
     real x, y, z;
@@ -64,28 +64,6 @@ static inline vec cross_exact(vec a, vec b)
 static inline vec cross3(vec a, vec b)
 {
     return make_vec(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
-}
-
-static inline vec normalized(vec a)
-{
-    return scaled(a, R(1) / sqrt(dot3(a, a)));
-}
-
-/* |d|^2 - 1 of a vector that is nearly unit, without cancellation. Rounding |d|^2 itself would not do: floats lie half
- * as dense above 1 as below, so it comes out too small on average, which 1000 chords of a sphere add up. */
-static inline real length_excess(vec d)
-{
-    Sum s = {R(-1), R(0)};
-    sum_product(&s, d.x, d.x);
-    sum_product(&s, d.y, d.y);
-    sum_product(&s, d.z, d.z);
-    return sum_value(s);
-}
-
-/* A direction that is nearly unit, one Newton step nearer. */
-static inline vec renormalized(vec d)
-{
-    return along(d, d, R(-0.5f) * length_excess(d));
 }
 
 /* The product of a row-major 3x3 matrix, or of its transpose, and a vector. */

@@ -3,7 +3,7 @@
 #define CLUCIDA_WORLD_H
 
 #include "kernels/layout.h"
-#include "kernels/vec.h"
+#include "kernels/unit.h"
 
 #ifdef CLU_SIGNATURE
 /* A path's events: how many there were, their hash, and the first of them. */
@@ -46,15 +46,5 @@ typedef struct {
     int left_inside;
     real err;
 } Ray;
-
-/* Positions are good to a few roundings of their size: of the arithmetic within one object, of what coordinates are
- * stored to between objects. The factor is what flush faces need (tests of coincident faces), and small enough that
- * shells with a relative gap of 1e-6 stay apart. */
-#define ROUNDINGS R(4)
-
-static inline real position_error(vec o, real t)
-{
-    return ROUNDINGS * R(STORED_ROUNDOFF) * fmax(largest(o), fabs(t));
-}
 
 #endif

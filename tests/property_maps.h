@@ -61,6 +61,19 @@ struct Mapper {
     {
         return solid(scene::Cuboid{by.point(s.center), by.direction(s.z), by.direction(s.x), s.size * by.length});
     }
+    SolidPtr operator()(const scene::Torus& s) const
+    {
+        return solid(scene::Torus{by.point(s.center), by.direction(s.axis), s.major * by.length, s.minor * by.length});
+    }
+    SolidPtr operator()(const scene::FreeQuadric& s) const // of x / length, or of -x
+    {
+        scene::FreeQuadric out = s;
+        for (std::size_t i = 6; i < 9; i++) out.q[i] *= by.length;
+        out.q[9] *= by.length * by.length;
+        if (by.mirror)
+            for (const std::size_t i : {3U, 4U, 6U}) out.q[i] = -out.q[i];
+        return solid(out);
+    }
     SolidPtr operator()(const scene::Complement& s) const { return complement(mapped(s.of, by)); }
     SolidPtr operator()(const scene::Intersection& s) const { return solid(scene::Intersection{all(s.of)}); }
     SolidPtr operator()(const scene::Union& s) const { return solid(scene::Union{all(s.of)}); }

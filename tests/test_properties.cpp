@@ -78,7 +78,8 @@ Case draw(const std::vector<Body>& bodies)
 template <typename P>
 class Properties : public ::testing::Test {
 };
-TYPED_TEST_SUITE(Properties, Precisions, PrecisionNames);
+using Natively = ::testing::Types<Float, Double>;
+TYPED_TEST_SUITE(Properties, Natively, MachineNames);
 
 TYPED_TEST(Properties, MembershipChangesExactlyAtTheSurfacesThatAreReported)
 {

@@ -21,7 +21,7 @@ static inline vec plane_normal(__global const LayoutPlane* plane, vec* p)
 {
     const vec n = load_vec(plane->n);
     *p = along(*p, n, (R(plane->h) - dot3(n, *p)) / dot3(n, n));
-    return renormalized(normalized(n)); /* stored to float, which is not unit enough for double */
+    return unit(n); /* stored to float, which is not unit enough for double */
 }
 
 #endif

@@ -26,7 +26,7 @@ static inline Span sphere_span(__global const LayoutSphere* sphere, const Line* 
 static inline vec sphere_normal(__global const LayoutSphere* sphere, vec* p)
 {
     const vec c = load_vec(sphere->c);
-    const vec n = renormalized(normalized(sub(*p, c)));
+    const vec n = unit(sub(*p, c));
     *p = along(c, n, R(sphere->r));
     return n;
 }

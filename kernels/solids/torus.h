@@ -29,7 +29,7 @@ typedef struct {
 /* Returns 0 if the line passes the torus by. */
 static inline int torus_line(__global const LayoutTorus* torus, const Line* line, int left, TorusLine* l)
 {
-    const vec n = renormalized(normalized(load_vec(torus->axis))); /* stored to float: not unit enough for double */
+    const vec n = unit(load_vec(torus->axis)); /* stored to float: not unit enough for double */
     const vec c = load_vec(torus->c);
     const vec o = sub(line->base, c), d = line->d;
     const vec b = scaled(cross_exact(d, cross_exact(o, d)), R(1) / line->dd); /* nearest to the centre */
@@ -228,14 +228,14 @@ static inline Span torus_span(__global const LayoutTorus* torus, const Line* lin
 /* Outward normal; *p moves onto the surface. */
 static inline vec torus_normal(__global const LayoutTorus* torus, vec* p)
 {
-    const vec axis = renormalized(normalized(load_vec(torus->axis)));
+    const vec axis = unit(load_vec(torus->axis));
     const vec c = load_vec(torus->c), x = sub(*p, c);
     const real z = dot_exact(axis, x);
     vec across = along(x, axis, -z);
     across = along(across, axis, -dot3(across, axis));
     const real rho = sqrt(dot3(across, across));
     const vec out = scaled(across, R(1) / fmax(rho, R(0.5f) * (R(torus->major) - R(torus->minor))));
-    const vec n = renormalized(normalized(along(scaled(axis, z), out, rho - R(torus->major))));
+    const vec n = unit(along(scaled(axis, z), out, rho - R(torus->major)));
     *p = along(along(c, out, R(torus->major)), n, R(torus->minor));
     return n;
 }

@@ -1,0 +1,36 @@
+/* The naive variant: a ray in an object's coordinates starts where it starts. */
+#ifndef CLUCIDA_LINE_H
+#define CLUCIDA_LINE_H
+
+#include "kernels/world.h"
+
+typedef struct {
+    vec base, d;
+    vec origin;
+    real start;
+    real err;
+    real dd;
+    u32 left;
+    int left_inside;
+} Line;
+
+typedef struct {
+    real t, at, slope;
+    real err;
+    u32 face;
+} Crossing;
+
+static inline Line make_line(const Ray* ray, __global const LayoutObject* object)
+{
+    Line line;
+    line.origin = line.base = sub(ray->o, load_vec(object->center));
+    line.d = ray->d;
+    line.start = R(0);
+    line.err = R(0);
+    line.dd = ray->dd;
+    line.left = ray->left;
+    line.left_inside = ray->left_inside;
+    return line;
+}
+
+#endif

@@ -1,0 +1,40 @@
+/* The re-origined variant: from far off a ray in an object's coordinates starts at its point nearest to the centre. */
+#ifndef CLUCIDA_LINE_H
+#define CLUCIDA_LINE_H
+
+#include "kernels/world.h"
+
+typedef struct {
+    vec base, d;
+    vec origin;
+    real start;
+    real err;
+    real dd;
+    u32 left;
+    int left_inside;
+} Line;
+
+typedef struct {
+    real t, at, slope;
+    real err;
+    u32 face;
+} Crossing;
+
+static inline Line make_line(const Ray* ray, __global const LayoutObject* object)
+{
+    Line line;
+    line.origin = line.base = sub(ray->o, load_vec(object->center));
+    line.d = ray->d;
+    line.start = R(0);
+    line.err = R(0);
+    line.dd = ray->dd;
+    line.left = ray->left;
+    line.left_inside = ray->left_inside;
+    if (dot3(line.origin, line.origin) > square(R(object->near))) {
+        line.start = dot3(line.origin, ray->d) / line.dd;
+        line.base = scaled(cross3(ray->d, cross3(line.origin, ray->d)), R(1) / line.dd);
+    }
+    return line;
+}
+
+#endif
