@@ -6,6 +6,9 @@ function(clucida_oracle_test name)
 endfunction()
 
 clucida_oracle_test(test_oracle test_oracle.cpp LIBS clucida_oracle fmt::fmt)
+clucida_oracle_test(test_oracle_solids test_oracle_solids.cpp LIBS clucida_oracle fmt::fmt)
+clucida_oracle_test(test_oracle_paths test_oracle_paths.cpp LIBS clucida_oracle fmt::fmt)
+clucida_oracle_test(test_oracle_kernels test_oracle_kernels.cpp LIBS clucida_oracle native_scene)
 clucida_test(test_divergence test_divergence.cpp LIBS clucida_error)
 clucida_test(test_measure_error test_measure_error.cpp LIBS clucida_error)
 
