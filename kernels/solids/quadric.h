@@ -110,14 +110,15 @@ static inline real quadric_deflated(__global const LayoutQuadric* q, const Line*
     return leading.hi == R(0) ? R(0) : twofold_ratio(twofold_scaled(sum_twofold(b), R(-2)), leading);
 }
 
-/* The span where the ray has just left the quadric, from what the line has of it. An end ahead is where the line meets
- * the quadric, or, where rounding blurs that too much for the chord's length, where the start's being on it puts it. */
+/* The span where the ray has just left the quadric, from what the line has of it. An end ahead is where the start's being
+ * on it puts it, by deflation; but from far off, unless rounding blurs that too much for the chord's length, where the
+ * line meets the quadric. */
 static inline Span quadric_span_left(__global const LayoutQuadric* q, const Line* line, real a, Span span)
 {
     const real start = line->start;
     if ((a > R(0)) != (line->left_inside != 0)) return span_left(line, a, span.lo, span.slope_lo);
     const real blur = span.slope_lo * line_error(line, start) + span.slope_hi * line_error(line, span.hi);
-    if (a != R(0) && !(span.hi - start > R(2) * blur)) span.hi = start + quadric_deflated(q, line);
+    if (a != R(0) && (start == R(0) || !(span.hi - start > R(2) * blur))) span.hi = start + quadric_deflated(q, line);
     return span_left(line, a, span.hi, span.slope_hi);
 }
 
