@@ -55,6 +55,39 @@ W size_at(const Target<W>& target, const Wide3<W>& p)
     return std::max(target.size, root(dot(p, p)));
 }
 
+template <typename W>
+bool append_torus(const Primitive<W>& torus, std::size_t i, const Wide3<W>& o, const Wide3<W>& d, W rounding,
+                  std::vector<MemberRoot<W>>& out)
+{
+    static thread_local std::vector<Root<W>> roots;
+    roots.clear();
+    const bool sure = torus.append_torus_roots(o, d, rounding, roots);
+    for (const Root<W>& r : roots)
+        if (r.t > 0) out.push_back({r.t, r.t, r.slope, i, false});
+    return sure;
+}
+
+/// What is left of a torus's quartic where the ray leaves it at o. False where the line comes within rounding of it
+/// elsewhere.
+template <typename W>
+bool append_deflated_torus(const Primitive<W>& torus, std::size_t i, const Wide3<W>& o, const Wide3<W>& d, W rounding,
+                           std::vector<MemberRoot<W>>& out)
+{
+    const W size = torus.major + torus.minor, far = 4 * size;
+    const std::vector<W> quartic = torus.torus_quartic(o, d), cubic(quartic.begin() + 1, quartic.end());
+    const std::vector<W> twins = sign_changes(quartic, -far, far);
+    for (const W& t : sign_changes(cubic, W(0), far)) {
+        W twin = t;
+        for (const W& s : twins)
+            if (magnitude(s - t) < magnitude(twin - t) || twin == t) twin = s;
+        out.push_back({t, twin, torus.slope(along(o, d, twin), d), i, false});
+    }
+    bool sure = true;
+    for (const W& t : sign_changes(derivative(quartic), -far, far))
+        sure = sure && (magnitude(t) < W(0.01L) * size || magnitude(torus.value(along(o, d, t))) > rounding * size);
+    return sure;
+}
+
 /// Appends where the line crosses member i at t > 0. False if rounding decides whether it does: if the line comes no
 /// deeper into the surface (or no nearer to it) than `rounding` sizes. For a sphere that is |D| <= 2 rounding r^2.
 template <typename W>
@@ -62,6 +95,7 @@ bool append_crossings(const Target<W>& target, std::size_t i, const Wide3<W>& o,
                       std::vector<MemberRoot<W>>& out)
 {
     const Primitive<W>& member = target.leaf.members[i];
+    if (member.major > 0) return append_torus(member, i, o, d, rounding, out);
     const W shift = -dot(Wide3<W>{o[0] - member.c[0], o[1] - member.c[1], o[2] - member.c[2]}, d);
     const Wide3<W> near = along(o, d, shift);
     const Parabola<W> p = member.parabola(near, d);
@@ -131,7 +165,10 @@ First<W> first_event(const Target<W>& target, const Wide3<W>& o, const Wide3<W>&
     const W far = target.size + root(dot(o, o));
     for (std::size_t i = 0; i < members.size(); i++) {
         if (i == left) {
-            append_deflated(members[i], i, o, d, rounding.root, roots);
+            if (members[i].major > 0)
+                e.unsure |= !append_deflated_torus(members[i], i, o, d, rounding.root, roots);
+            else
+                append_deflated(members[i], i, o, d, rounding.root, roots);
             in.push_back(left_inside);
         } else {
             const Wide3<W> g = members[i].gradient(o);

@@ -96,12 +96,17 @@ std::optional<Vec3> asymptote(Random& random, const Primitive<W>& q)
 {
     std::array<double, 3> x{};
     const double angle = uniform(random, 0, 2 * std::numbers::pi);
+    const double side = random() % 2 == 0 ? 1 : -1, other = uniform(random, -1, 1);
     if (q.s == Wide3<W>{1, 1, -1})
         x = {std::cos(angle), std::sin(angle), 1};
-    else if (q.s == Wide3<W>{-1, 1, 0})
-        x = {1, random() % 2 == 0 ? 1.0 : -1.0, uniform(random, -1, 1)};
+    else if (q.s == Wide3<W>{-1, 1, 0} || q.s == Wide3<W>{1, -1, 0})
+        x = {1, side, other};
+    else if (q.s == Wide3<W>{1, 0, -1})
+        x = {1, other, side};
     else if (q.s == Wide3<W>{1, 1, 0})
         x = {0, 0, 1};
+    else if (q.s == Wide3<W>{1, 0, 0})
+        x = {0, side, other};
     else
         return std::nullopt;
     scene::Mat3 m;

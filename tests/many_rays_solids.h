@@ -2,7 +2,7 @@
 /// ten.
 #pragma once
 
-#include "native_scene.h"
+#include "quadric_of.h"
 
 #include <numbers>
 
@@ -17,6 +17,7 @@ struct SizedSolid {
 struct Kind {
     const char* name;
     SolidPtr (*make)(Random& random, Vec3 center, double size);
+    double most_units = 8; ///< error x cos <= so many u x size
 };
 
 inline constexpr double least_size = 0x1p-13, greatest_size = 0x1p20;
@@ -26,8 +27,15 @@ inline Vec3 random_axis(Random& random, double least, double greatest)
     return random_direction(random) * log_uniform(random, least, greatest);
 }
 
-/// Every kind of primitive. The torus and the free quadric belong at its end, and in
-/// test_kernels.cmake.
+/// A free quadric of semi-axes between a fifth of the size and the size.
+inline SolidPtr free_quadric(Random& r, Vec3 c, double size, Vec3 s, Vec3 l, double w)
+{
+    scene::Mat3 m = scene::rotation(random_direction(r), uniform(r, 0, 360));
+    for (Vec3& row : m.rows) row = row * (1 / log_uniform(r, .2 * size, size));
+    return quadric_of(m, c, s, l, w);
+}
+
+/// Every kind of primitive. test_kernels.cmake names them too.
 inline constexpr std::array kinds{
     Kind{"plane", [](Random& r, Vec3 c, double) { return plane(c, random_direction(r)); }},
     Kind{"sphere", [](Random&, Vec3 c, double s) { return sphere(c, s); }},
@@ -63,6 +71,48 @@ inline constexpr std::array kinds{
              const SolidPtr turned =
                  solid(scene::Transformed{scene::Rotate{random_direction(r), uniform(r, 0, 360)}, scaled});
              return solid(scene::Transformed{scene::Move{c}, turned});
+         }},
+    Kind{"torus",
+         [](Random& r, Vec3 c, double s) {
+             const double minor = log_uniform(r, .02 * s, .49 * s);
+             return solid(scene::Torus{c, random_direction(r), s - minor, minor});
+         },
+         16},
+    Kind{"free_ellipsoid",
+         [](Random& r, Vec3 c, double s) {
+             return free_quadric(r, c, s, {1, 1, 1}, {}, -1);
+         }},
+    Kind{"one_sheet",
+         [](Random& r, Vec3 c, double s) {
+             return free_quadric(r, c, s, {1, 1, -1}, {}, -1);
+         }},
+    Kind{"two_sheets",
+         [](Random& r, Vec3 c, double s) {
+             return free_quadric(r, c, s, {1, 1, -1}, {}, 1);
+         }},
+    Kind{"elliptic_cone",
+         [](Random& r, Vec3 c, double s) {
+             return free_quadric(r, c, s, {1, 1, -1}, {}, 0);
+         }},
+    Kind{"elliptic_paraboloid",
+         [](Random& r, Vec3 c, double s) {
+             return free_quadric(r, c, s, {1, 1, 0}, {0, 0, -1}, 0);
+         }},
+    Kind{"hyperbolic_paraboloid",
+         [](Random& r, Vec3 c, double s) {
+             return free_quadric(r, c, s, {1, -1, 0}, {0, 0, -1}, 0);
+         }},
+    Kind{"elliptic_cylinder",
+         [](Random& r, Vec3 c, double s) {
+             return free_quadric(r, c, s, {1, 1, 0}, {}, -1);
+         }},
+    Kind{"hyperbolic_cylinder",
+         [](Random& r, Vec3 c, double s) {
+             return free_quadric(r, c, s, {1, -1, 0}, {}, 1);
+         }},
+    Kind{"parabolic_cylinder",
+         [](Random& r, Vec3 c, double s) {
+             return free_quadric(r, c, s, {1, 0, 0}, {0, 0, -1}, 0);
          }},
 };
 

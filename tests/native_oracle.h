@@ -53,13 +53,21 @@ W polynomial(const std::vector<W>& a, W t)
     return sum;
 }
 
+template <typename W>
+std::vector<W> derivative(const std::vector<W>& a)
+{
+    std::vector<W> slope;
+    for (std::size_t i = 1; i < a.size(); i++) slope.push_back(a[i] * W(static_cast<int>(i)));
+    return slope;
+}
+
 /// The places between low and high where the polynomial changes its sign: between those where its derivative does, by
 /// bisection that Newton's method hastens.
 template <typename W>
 std::vector<W> sign_changes(const std::vector<W>& a, W low, W high)
 {
-    std::vector<W> stops{low}, slope, found;
-    for (std::size_t i = 1; i < a.size(); i++) slope.push_back(a[i] * W(static_cast<int>(i)));
+    const std::vector<W> slope = derivative(a);
+    std::vector<W> stops{low}, found;
     if (slope.size() > 1)
         for (const W& t : sign_changes(slope, low, high)) stops.push_back(t);
     stops.push_back(high);
@@ -148,25 +156,28 @@ struct Primitive {
         const W along_d = magnitude(dot(g, d));
         return along_d > 0 ? root(dot(g, g)) / along_d : W(1e30L);
     }
-    /// The quartic (|p|^2 + R^2 - r^2)^2 - 4 R^2 rho^2 from the point nearest to the centre, in a type wide enough;
-    /// false if the line comes within `rounding` of the surface where it turns.
+    /// A torus along a line near it: the quartic (|p|^2 + R^2 - r^2)^2 - 4 R^2 rho^2.
+    std::vector<W> torus_quartic(const Wide3<W>& o, const Wide3<W>& d) const
+    {
+        const Wide3<W> x = local(o), v{dot(m[0], d), dot(m[1], d), dot(m[2], d)};
+        const W dd = dot(v, v), xv = dot(x, v), four = 4 * major * major;
+        const W k = dot(x, x) + major * major - minor * minor;
+        return {k * k - four * (x[0] * x[0] + x[1] * x[1]), 4 * k * xv - 2 * four * (x[0] * v[0] + x[1] * v[1]),
+                2 * k * dd + 4 * xv * xv - four * (v[0] * v[0] + v[1] * v[1]), 4 * xv * dd, dd * dd};
+    }
+    /// From the point nearest to the centre, in a type wide enough; false if the line comes within `rounding` of the
+    /// surface where it turns.
     bool append_torus_roots(const Wide3<W>& o, const Wide3<W>& d, W rounding, std::vector<Root<W>>& out) const
     {
-        const W dd = dot(d, d), shift = -dot(Wide3<W>{o[0] - c[0], o[1] - c[1], o[2] - c[2]}, d) / dd;
+        const W shift = -dot(Wide3<W>{o[0] - c[0], o[1] - c[1], o[2] - c[2]}, d) / dot(d, d);
         const Wide3<W> near = along(o, d, shift), x = local(near);
-        const Wide3<W> v{dot(m[0], d), dot(m[1], d), dot(m[2], d)};
-        const W far = 2 * (major + minor), k = dot(x, x) + major * major - minor * minor, four = 4 * major * major;
+        const W far = 2 * (major + minor);
         if (dot(x, x) > far * far) return true;
-        const W xv = dot(x, v); // 0 but for rounding
-        const std::vector<W> quartic{
-            k * k - four * (x[0] * x[0] + x[1] * x[1]), 4 * k * xv - 2 * four * (x[0] * v[0] + x[1] * v[1]),
-            2 * k * dd + 4 * xv * xv - four * (v[0] * v[0] + v[1] * v[1]), 4 * xv * dd, dd * dd};
-        std::vector<W> slope;
-        for (int i = 1; i < 5; i++) slope.push_back(quartic[i] * i);
+        const std::vector<W> quartic = torus_quartic(near, d);
         for (const W& t : sign_changes(quartic, -far, far))
             out.push_back({shift + t, this->slope(along(near, d, t), d)});
         bool sure = true;
-        for (const W& t : sign_changes(slope, -far, far))
+        for (const W& t : sign_changes(derivative(quartic), -far, far))
             sure = sure && magnitude(value(along(near, d, t))) > rounding * (major + minor);
         return sure;
     }

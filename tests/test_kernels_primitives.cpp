@@ -1,5 +1,6 @@
 // Every primitive alone: where random rays meet it, near and far, from outside and inside.
 #include "native_oracle.h"
+#include "quadric_of.h"
 
 namespace clucida::test {
 namespace {
@@ -168,22 +169,7 @@ scene::Mat3 kind_frame()
 
 SolidPtr quadric(const Kind& kind, double sign = 1)
 {
-    const scene::Mat3 m = kind_frame();
-    const Vec3 c = kind_center;
-    Vec3 half; // of what is linear in p
-    double rows[3][3] = {}, constant = kind.w;
-    for (int k = 0; k < 3; k++) {
-        using scene::component;
-        const double s = component(kind.s, k), l = component(kind.l, k), at = scene::dot(m.rows[k], c);
-        for (int i = 0; i < 3; i++)
-            for (int j = 0; j < 3; j++) rows[i][j] += s * component(m.rows[k], i) * component(m.rows[k], j);
-        half = half + m.rows[k] * (l - s * at);
-        constant += s * at * at - 2 * l * at;
-    }
-    scene::FreeQuadric q{{rows[0][0], rows[1][1], rows[2][2], 2 * rows[0][1], 2 * rows[0][2], 2 * rows[1][2],
-                          2 * half.x, 2 * half.y, 2 * half.z, constant}};
-    for (double& x : q.q) x *= sign;
-    return solid(q);
+    return quadric_of(kind_frame(), kind_center, kind.s * sign, kind.l * sign, kind.w * sign);
 }
 SolidPtr turned_cuboid()
 {
