@@ -136,6 +136,8 @@ void check_deflated(const SolidPtr& solid)
     EXPECT_EQ(wrong, 0U) << "of " << hits.size();
     EXPECT_GT(met, 800U);
     EXPECT_LE(worst / P::u, 4) << "units of the length";
+    Measured("of_the_length").see(worst / P::u);
+    Measured("of_the_size_where_far").see(far / P::u);
     // Farther out the line starts elsewhere, and the chord is good to its absolute error (docs/hard-cases.md, 3).
     EXPECT_LE(far / P::u, 8) << "units of the size";
     expect_sound(stats);
