@@ -52,8 +52,9 @@ void print_report(std::FILE* to, const ErrorReport& r)
                r.fastest, r.slowest, million_rays_a_second(r));
     fmt::print(to, "    kernel     p50 {:.2f}, p99.9 {:.2f}, worst {:.2f} units of rounding; {} of {} rays wrong\n",
                r.kernel.p50, r.kernel.p999, r.kernel.worst, r.kernel.wrong, r.kernel.rays);
-    fmt::print(to, "    flips      {} of {} pixels, {:.4g} per million; of {} looked at {} explained, {} unexplained\n",
-               r.flips, r.pixels, per_million(static_cast<double>(r.flips), r), r.looked_at, r.explained,
+    fmt::print(to, "    flips      {} of {} pixels, {:.4g} per million, {} within four hops\n", r.flips, r.pixels,
+               per_million(static_cast<double>(r.flips), r), r.shallow_flips);
+    fmt::print(to, "               of {} looked at {} explained, {} unexplained\n", r.looked_at, r.explained,
                r.looked_at - r.explained);
     if (!r.unexplained.empty())
         fmt::print(to, "               the first unexplained at {},{}\n", r.unexplained[0].x, r.unexplained[0].y);
@@ -97,6 +98,7 @@ nlohmann::ordered_json report_json(const NamedError& of, const ErrorReport& r, c
         {"pixels", r.pixels},
         {"flips", r.flips},
         {"flips_ppm", per_million(static_cast<double>(r.flips), r)},
+        {"flips_within_4_hops_ppm", per_million(static_cast<double>(r.shallow_flips), r)},
         {"flips_looked_at", r.looked_at},
         {"explained_flips", r.explained},
         {"unexplained_flips", unexplained_flips(r)},
@@ -147,18 +149,21 @@ void print_error(std::FILE* to, const NamedError& result, const ErrorSettings& s
 
 void print_tables(std::FILE* to, std::span<const NamedError> results, const ErrorSettings& settings)
 {
-    fmt::print(to, "| scene | precision | variant | ms | flips, ppm | unexplained | max | p99.9 | RMSE | PSNR, dB | "
+    fmt::print(to, "| scene | precision | variant | ms | flips, ppm | within 4 hops | unexplained | max | p99.9 | RMSE "
+                   "| PSNR, dB | "
                    "equal, % | PSNR of all | mean FLIP | hit error, u | parity | NaN |\n"
-                   "|---|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+                   "|---|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
     for (const NamedError& result : results)
         for (const ErrorReport& r : result.error.reports)
-            fmt::print(to,
-                       "| {} | {} | {} | {:.1f} | {:.4g} | {:.0f} | {:.1e} | {:.1e} | {:.1e} | {} | {:.4f} | {} | "
-                       "{:.1e} | {:.1f} | {} | {} |\n",
-                       result.scene, precision_name(r.contender.precision), r.contender.variant, r.milliseconds,
-                       per_million(static_cast<double>(r.flips), r), unexplained_flips(r), r.agreeing.max_error,
-                       r.agreeing.p999, r.agreeing.rmse, decibels(r.agreeing.psnr), 100 * r.agreeing_equal,
-                       decibels(r.all.psnr), r.flip, r.kernel.worst, r.statistics.parity, r.statistics.nan);
+            fmt::print(
+                to,
+                "| {} | {} | {} | {:.1f} | {:.4g} | {:.4g} | {:.0f} | {:.1e} | {:.1e} | {:.1e} | {} | {:.4f} | {} | "
+                "{:.1e} | {:.1f} | {} | {} |\n",
+                result.scene, precision_name(r.contender.precision), r.contender.variant, r.milliseconds,
+                per_million(static_cast<double>(r.flips), r), per_million(static_cast<double>(r.shallow_flips), r),
+                unexplained_flips(r), r.agreeing.max_error, r.agreeing.p999, r.agreeing.rmse, decibels(r.agreeing.psnr),
+                100 * r.agreeing_equal, decibels(r.all.psnr), r.flip, r.kernel.worst, r.statistics.parity,
+                r.statistics.nan);
     if (!settings.costs) return;
     fmt::print(to, "\n| scene | truncated | 32-bit filters: RMSE | max | cutoff: RMSE | max | hop limit: RMSE | max |\n"
                    "|---|---:|---:|---:|---:|---:|---:|---:|\n");

@@ -19,6 +19,8 @@ constexpr std::size_t chunk_pixels = 8192;
 constexpr unsigned usual_events = 64; ///< of a path; those with more are traced again
 constexpr double near = 1e-5;         ///< an error of a channel from which on the oracle is asked more precisely
 constexpr std::size_t most_cost_pixels = 14400;
+constexpr std::size_t sampled_flips = 500;
+constexpr unsigned sampled_seeds = 60, shallow_hops = 4;
 constexpr double less_cutoff = 16, more_hops = 2;
 
 /// A contender at work.
@@ -170,6 +172,9 @@ void compare_pictures(Contest& contest, const host::Picture& truth)
     ErrorReport& report = contest.report;
     const host::Picture mine = without_flips(report.picture, contest.flips), its = without_flips(truth, contest.flips);
     report.flips = contest.flips.size();
+    report.shallow_flips = static_cast<std::size_t>(std::ranges::count_if(contest.flips, [](const PathFlip& f) {
+        return std::ranges::any_of(f.divergences, [](const Divergence& d) { return d.oracle.hop < shallow_hops; });
+    }));
     report.agreeing = host::compare(mine, its, 0);
     const host::ByteComparison bytes = host::compare_bytes(mine, its);
     report.agreeing_equal = mine.width ? static_cast<double>(bytes.equal) / mine.width : 1;
@@ -257,8 +262,10 @@ SceneError measure_error(const host::SceneSource& source, const host::Device& de
     }
     for (const auto& contest : field) {
         compare_pictures(*contest, out.truth);
-        Explained e = explain(source.scene, options, by.names, contest->flips, settings.most_explained, settings.seeds,
-                              settings.threads);
+        const bool full = contest->report.contender.variant == full_variant; // of others a sample tells enough
+        const std::size_t most = full ? settings.most_explained : std::min(settings.most_explained, sampled_flips);
+        const unsigned seeds = full ? settings.seeds : std::min(settings.seeds, sampled_seeds);
+        Explained e = explain(source.scene, options, by.names, contest->flips, most, seeds, settings.threads);
         contest->report.looked_at = e.looked_at;
         contest->report.explained = e.explained;
         contest->report.unexplained = std::move(e.unexplained);

@@ -23,8 +23,8 @@ struct ErrorSettings {
     host::Shape picture{640, 360};
     std::vector<Contender> contenders{{}};
     RealType oracle = RealType::long_double;
-    std::size_t most_explained = 20000; ///< flips that are looked into, of each contender
-    unsigned seeds = 1000;              ///< disturbances that are tried at most
+    std::size_t most_explained = 20000; ///< flips that are looked into, of each contender (500 of variants)
+    unsigned seeds = 1000;              ///< disturbances that are tried at most (60 of variants)
     unsigned repeats = 3;               ///< pictures that are timed
     bool costs = true;                  ///< also what compressed colours, cutoff and hop limit cost
     unsigned threads = 1;               ///< of the oracle
@@ -37,6 +37,7 @@ struct ErrorReport {
     double milliseconds = 0, fastest = 0, slowest = 0; ///< a picture without compilation: the median, and the spread
     host::Statistics statistics;                       ///< of one picture
     std::size_t pixels = 0, flips = 0, looked_at = 0, explained = 0;
+    std::size_t shallow_flips = 0; ///< those that differ within the first four segments
     std::vector<oracle::Pixel> unexplained;
     host::Comparison agreeing; ///< pixels without a flip, against the oracle with colours as they are stored
     double agreeing_equal = 0; ///< the share of them whose 8-bit values are all the same

@@ -50,6 +50,22 @@ typedef struct {
     real hi, lo;
 } Twofold;
 
+static inline Twofold make_twofold(real a)
+{
+    Twofold t;
+    t.hi = a;
+    t.lo = R(0);
+    return t;
+}
+
+/* Exact if s is 0 or a power of two. */
+static inline Twofold twofold_scaled(Twofold a, real s)
+{
+    a.hi *= s;
+    a.lo *= s;
+    return a;
+}
+
 static inline Twofold sum_twofold(Sum s)
 {
     Twofold t;
@@ -62,6 +78,16 @@ static inline void sum_twofold_product(Sum* s, Twofold a, Twofold b)
 {
     sum_product(s, a.hi, b.hi);
     s->error += fma(a.hi, b.lo, a.lo * b.hi);
+}
+
+/* a b - c d. */
+static inline Twofold twofold_difference_of_products(real a, real b, real c, real d)
+{
+    const real p = a * b, q = c * d;
+    Twofold t;
+    t.hi = p - q;
+    t.lo = difference_error(p, q) + (fma(a, b, -p) - fma(c, d, -q));
+    return t;
 }
 
 /* a / b, to about two units. */

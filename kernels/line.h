@@ -7,6 +7,7 @@
 typedef struct {
     vec base, d; /* base relative to the object's centre */
     vec origin;  /* the ray's origin, relative to the centre too */
+    vec lost;    /* what the subtraction of the centre has rounded away of origin */
     real start;  /* parameter of the ray's origin */
     real err;    /* of the origin: Ray's */
     real dd;     /* |d|^2 */
@@ -32,18 +33,17 @@ static inline Line make_line(const Ray* ray, __global const LayoutObject* object
     line.d = ray->d;
     line.dd = ray->dd;
     line.origin = line.base = sub(ray->o, center);
+    line.lost = make_vec(difference_error(ray->o.x, center.x), difference_error(ray->o.y, center.y),
+                         difference_error(ray->o.z, center.z));
     line.start = R(0);
     line.err = ray->err;
     line.grain = R(object->grain);
     line.left = ray->left;
     line.left_inside = ray->left_inside;
     if (dot3(line.origin, line.origin) > square(R(object->near))) {
-        /* What the subtraction rounded away counts from here. */
-        const vec lost = make_vec(difference_error(ray->o.x, center.x), difference_error(ray->o.y, center.y),
-                                  difference_error(ray->o.z, center.z));
-        const vec moment = add(cross_exact(line.origin, ray->d), cross3(lost, ray->d));
-        line.base = scaled(cross_exact(ray->d, moment), R(1) / line.dd);
+        /* Wherever rounding puts start, the point there is right: fma subtracts before it rounds. */
         line.start = dot3(line.origin, ray->d) / line.dd;
+        line.base = add(along(line.origin, ray->d, -line.start), line.lost);
     }
     return line;
 }

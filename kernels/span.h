@@ -34,24 +34,25 @@ static inline Span span_everything(void)
     return make_span(-INFINITE, INFINITE, R(0), 1);
 }
 
-/* The span of a primitive that the ray has just left: one end is where the ray starts, exactly; the other lies
- * `other` further on, by deflation of the known root, and has the slope. a is the leading coefficient, which tells
- * whether the inside lies between the roots (> 0), outside them (< 0), or whether there is one root only. */
-static inline Span span_left(const Line* line, real a, real other, real slope)
+#define LEAST_CHORD 1e-30f
+
+/* The span of a primitive that the ray has just left: one end is where the ray starts, exactly; the other lies at `end`
+ * and has the slope. a is the leading coefficient, which tells whether the inside lies between the roots (> 0), outside
+ * them (< 0), or whether there is one root only. */
+static inline Span span_left(const Line* line, real a, real end, real slope)
 {
-    const int between = (a > R(0)) == (line->left_inside != 0); /* the far end lies ahead */
+    const real start = line->start;
+    const int ahead = (a > R(0)) == (line->left_inside != 0);
     Span s;
-    if (a == R(0)) {
-        s = line->left_inside ? make_span(line->start, INFINITE, slope, 1)
-                              : make_span(-INFINITE, line->start, slope, 1);
-        return s;
-    }
-    other = between ? fmax(other, R(0)) : fmin(other, R(0));
-    s = between ? make_span(line->start, line->start + other, slope, a > R(0))
-                : make_span(line->start + other, line->start, slope, a > R(0));
-    /* The deflated root is good to a few units of itself: never mistake it for the start. */
-    const real cap = R(0.25f) * fabs(other) / place_error(line, line->start, line->err);
-    if (between)
+    if (a == R(0))
+        return line->left_inside ? make_span(start, INFINITE, slope, 1) : make_span(-INFINITE, start, slope, 1);
+    /* However short, the chord has a length: on its way the ray is on the side that it went to. */
+    const real least = fma(R(4) * UNIT_ROUNDOFF, fabs(start), R(LEAST_CHORD));
+    end = ahead ? fmax(end, start + least) : fmin(end, start - least);
+    s = ahead ? make_span(start, end, slope, a > R(0)) : make_span(end, start, slope, a > R(0));
+    /* Rounding blurs the end, but not as far as the start: never mistake it for that. */
+    const real cap = R(0.25f) * fabs(end - start) / place_error(line, start, line->err);
+    if (ahead)
         s.slope_hi = fmin(slope, cap);
     else
         s.slope_lo = fmin(slope, cap);

@@ -111,6 +111,8 @@ public:
     }
 
 private:
+    bool is_far(const Wide3<W>& p) const { return root(dot(p, p)) > W(most_distance) * target.size; }
+
     std::size_t member_left(const Path& path) const
     {
         return static_cast<std::size_t>(std::ranges::find(target.references, path.left) - target.references.begin());
@@ -142,7 +144,7 @@ private:
             return std::nullopt;
         }
         if (stats[STAT_PARITY] != 0) broken(tally.parity, 1e8, "parity fault");
-        if (e.hit && root(dot(along(o, d, e.t), along(o, d, e.t))) > W(most_distance) * target.size) {
+        if (e.hit ? is_far(along(o, d, e.t)) : hit && is_far(widen<W>(hit->p))) {
             tally.far++;
             return std::nullopt;
         }

@@ -24,10 +24,12 @@ Target<W> target_of(const Native& scene, double size)
     return target;
 }
 
-/// A crossing of one member; doubtful where rounding decides on which side of infinity it lies.
+/// A crossing of one member; doubtful where rounding decides on which side of infinity it lies. Where the ray has left
+/// the member, t follows from its start's being on it, and twin is where the line as it is meets it: the start is off
+/// by a rounding, and which of the two is meant is open.
 template <typename W>
 struct MemberRoot {
-    W t, slope;
+    W t, twin, slope;
     std::size_t member;
     bool doubtful;
 };
@@ -43,7 +45,7 @@ struct First {
     bool unsure = false; ///< rounding may decide it
     bool hit = false, inside = false;
     std::size_t member = 0;
-    W t = 0;
+    W t = 0, twin = 0;
 };
 
 template <typename W>
@@ -64,21 +66,25 @@ bool append_crossings(const Target<W>& target, std::size_t i, const Wide3<W>& o,
     const Wide3<W> near = along(o, d, shift);
     const Parabola<W> p = member.parabola(near, d);
     const auto push = [&](W t, bool doubtful) {
-        if (shift + t > 0 || doubtful) out.push_back({shift + t, member.slope(along(near, d, t), d), i, doubtful});
+        if (shift + t > 0 || doubtful)
+            out.push_back({shift + t, shift + t, member.slope(along(near, d, t), d), i, doubtful});
     };
     if (p.a_size == 0) { // a plane
         if (p.b != 0) push(-p.c / (2 * p.b), magnitude(p.b) <= rounding * root(dot(member.l, member.l)));
         return true;
     }
     const W discriminant = p.b * p.b - p.a * p.c;
+    const bool flat = magnitude(p.a) <= rounding * p.a_size; // A might as well have the other sign
     if (discriminant > 0) {
         const W q = -(p.b + (p.b < 0 ? -root(discriminant) : root(discriminant)));
-        push(p.c / q, false);
-        if (p.a != 0) push(q / p.a, magnitude(p.a) <= rounding * p.a_size);
+        push(p.c / q, flat && rounding * p.a_size * magnitude(p.c) > discriminant / 2);
+        if (p.a != 0) push(q / p.a, flat);
     }
     if (p.a == 0) return true;
+    if (flat && discriminant <= 0) return false;
     const Wide3<W> middle = along(near, d, -p.b / p.a), g = member.gradient(middle);
-    return magnitude(discriminant / p.a) > rounding * size_at(target, middle) * root(dot(g, g));
+    const W blur = rounding * size_at(target, middle);
+    return magnitude(discriminant / p.a) > blur * (root(dot(g, g)) + blur * member.curvature());
 }
 
 /// The other crossing of a member that the ray leaves at o, where one lies by definition.
@@ -90,7 +96,10 @@ void append_deflated(const Primitive<W>& member, std::size_t i, const Wide3<W>& 
     if (p.a == 0) return;
     const bool doubtful = magnitude(p.a) <= rounding * p.a_size;
     const W t = -2 * p.b / p.a;
-    if (t > 0 || doubtful) out.push_back({t, member.slope(along(o, d, t), d), i, doubtful});
+    if (!(t > 0) && !doubtful) return;
+    const W discriminant = p.b * p.b - p.a * p.c;
+    const W twin = discriminant > 0 ? t / 2 + root(discriminant) / magnitude(p.a) : t;
+    out.push_back({t, twin, member.slope(along(o, d, t), d), i, doubtful});
 }
 
 /// Whether another member is met within rounding of root k, at an edge: where all others hold the place.
@@ -148,20 +157,25 @@ First<W> first_event(const Target<W>& target, const Wide3<W>& o, const Wide3<W>&
         e.hit = true;
         doubtful = r.doubtful;
         e.t = r.t;
+        e.twin = r.twin;
         e.member = r.member;
     }
     e.unsure |= doubtful;
     return e;
 }
 
-/// |p - at| x cos over u x size, where the ray's first event lies at `at`.
+/// |p - at| x cos over u x size, where the ray's first event lies at `at`. The angle is that at which the line as it is
+/// meets the surface.
 template <typename W>
 double error_units(const Target<W>& target, const First<W>& e, const Wide3<W>& o, const Wide3<W>& d, Vec3 p, double u)
 {
-    const Wide3<W> at = along(o, d, e.t);
-    const Wide3<W> off{W(p.x) - at[0], W(p.y) - at[1], W(p.z) - at[2]};
-    return static_cast<double>(root(dot(off, off)) / target.leaf.members[e.member].slope(at, d) /
-                               (size_at(target, at) * W(u)));
+    const W slope = target.leaf.members[e.member].slope(along(o, d, e.twin), d);
+    const auto units = [&](W t) {
+        const Wide3<W> at = along(o, d, t);
+        const Wide3<W> off{W(p.x) - at[0], W(p.y) - at[1], W(p.z) - at[2]};
+        return static_cast<double>(root(dot(off, off)) / slope / (size_at(target, at) * W(u)));
+    };
+    return e.twin == e.t ? units(e.t) : std::min(units(e.t), units(e.twin));
 }
 
 } // namespace clucida::test

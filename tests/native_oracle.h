@@ -120,6 +120,13 @@ struct Primitive {
             for (int j = 0; j < 3; j++) g[j] += 2 * (s[i] * x[i] + l[i]) * m[i][j];
         return g;
     }
+    /// A shift by e changes the value by at most |gradient| e + curvature e^2.
+    W curvature() const
+    {
+        W most = 0;
+        for (int i = 0; i < 3; i++) most = std::max(most, magnitude(s[i]) * dot(m[i], m[i]));
+        return most;
+    }
     Parabola<W> parabola(const Wide3<W>& o, const Wide3<W>& d) const
     {
         const Wide3<W> x = local(o), v{dot(m[0], d), dot(m[1], d), dot(m[2], d)};

@@ -26,36 +26,54 @@ static inline real quadric_value(__global const LayoutQuadric* q, vec x)
     return sum_value(sum);
 }
 
-/* Leading coefficient: q along d. */
-static inline real quadric_leading(__global const LayoutQuadric* q, vec d)
-{
-    Sum a = {R(0), R(0)};
-    sum_product(&a, R(q->s[0]) * d.x, d.x);
-    sum_product(&a, R(q->s[1]) * d.y, d.y);
-    sum_product(&a, R(q->s[2]) * d.z, d.z);
-    return sum_value(a);
-}
+/* A line in the quadric's frame, q(x + t d) = a t^2 + 2 b t + c, and its discriminant b^2 - a c. All are functions of x
+ * and d as they are: what rounding does to these two moves the line by as much, and nothing else does. */
+typedef struct {
+    vec x, d;
+    real a, b, c, discriminant;
+} QuadricLine;
 
-/* B^2 - A C without its cancellation, from the direction d and the moment k about the frame's origin:
- * -(s0 s1 kz^2 + s1 s2 kx^2 + s0 s2 ky^2) - w A + g^2 dz^2 + 2 g (s0 dx ky - s1 dy kx). */
-static inline real quadric_discriminant(__global const LayoutQuadric* q, vec d, vec k)
+/* b^2 - a c without its cancellation, from the moment k = x cross d:
+ * -(s0 s1 kz^2 + s1 s2 kx^2 + s0 s2 ky^2) - w a + g^2 dz^2 + 2 g (s0 dx ky - s1 dy kx). */
+static inline real quadric_discriminant(__global const LayoutQuadric* q, vec x, vec d)
 {
     const real s0 = R(q->s[0]), s1 = R(q->s[1]), s2 = R(q->s[2]), g = R(q->g), w = R(q->w);
+    const Twofold kx = twofold_difference_of_products(x.y, d.z, x.z, d.y);
+    const Twofold ky = twofold_difference_of_products(x.z, d.x, x.x, d.z);
+    const Twofold kz = twofold_difference_of_products(x.x, d.y, x.y, d.x);
     Sum s = {R(0), R(0)};
-    sum_product(&s, -s0 * s1 * k.z, k.z);
-    sum_product(&s, -s1 * s2 * k.x, k.x);
-    sum_product(&s, -s0 * s2 * k.y, k.y);
-    if (w != R(0)) {
+    sum_twofold_product(&s, twofold_scaled(kz, -s0 * s1), kz);
+    if (g != R(0)) {
+        sum_product(&s, g * g * d.z, d.z);
+        sum_twofold_product(&s, twofold_scaled(ky, R(2) * g), make_twofold(s0 * d.x));
+        sum_twofold_product(&s, twofold_scaled(kx, R(-2) * g), make_twofold(s1 * d.y));
+    } else {
+        sum_twofold_product(&s, twofold_scaled(kx, -s1 * s2), kx);
+        sum_twofold_product(&s, twofold_scaled(ky, -s0 * s2), ky);
         sum_product(&s, -w * s0 * d.x, d.x);
         sum_product(&s, -w * s1 * d.y, d.y);
         sum_product(&s, -w * s2 * d.z, d.z);
     }
-    if (g != R(0)) {
-        sum_product(&s, g * g * d.z, d.z);
-        sum_product(&s, R(2) * g * s0 * d.x, k.y);
-        sum_product(&s, R(-2) * g * s1 * d.y, k.x);
-    }
     return sum_value(s);
+}
+
+static inline QuadricLine quadric_line(__global const LayoutQuadric* q, const Line* line)
+{
+    QuadricLine l;
+    l.x = apply(q->m, sub(line->base, load_vec(q->c)));
+    l.d = apply(q->m, line->d);
+    const vec part = make_vec(R(q->s[0]) * l.d.x, R(q->s[1]) * l.d.y, R(q->s[2]) * l.d.z);
+    l.a = dot_exact(part, l.d);
+    Sum b = {R(0), R(0)};
+    sum_product(&b, part.x, l.x.x);
+    sum_product(&b, part.y, l.x.y);
+    sum_product(&b, part.z, l.x.z);
+    sum_product(&b, R(-q->g), l.d.z);
+    l.b = sum_value(b);
+    l.c = quadric_value(q, l.x);
+    l.discriminant = quadric_discriminant(q, l.x, l.d);
+    if (l.a * l.c < R(0)) l.discriminant = fmax(l.discriminant, l.b * l.b);
+    return l;
 }
 
 /* A row of the frame times a vector that is known to twice the precision: v + lost. */
@@ -70,78 +88,59 @@ static inline Twofold quadric_coordinate(__global const float* row, vec v, vec l
     return sum_twofold(s);
 }
 
-/* The span of a quadric that the ray has just left, -2 B/A from its start. B fades as the ray grows flat, and A along
- * an asymptote or a generator; both keep their relative precision here. */
-static inline Span quadric_span_left(__global const LayoutQuadric* q, const Line* line)
+/* The other end where the ray has just left the quadric: -2 b/a from its start, which lies on it by definition. b fades
+ * as the ray grows flat, and a along an asymptote or a generator; both keep their relative precision here. */
+static inline real quadric_deflated(__global const LayoutQuadric* q, const Line* line)
 {
     const vec c = load_vec(q->c), none = make_vec(R(0), R(0), R(0));
     const vec o = sub(line->origin, c);
-    const vec lost = make_vec(difference_error(line->origin.x, c.x), difference_error(line->origin.y, c.y),
-                              difference_error(line->origin.z, c.z));
+    const vec lost = make_vec(line->lost.x + difference_error(line->origin.x, c.x),
+                              line->lost.y + difference_error(line->origin.y, c.y),
+                              line->lost.z + difference_error(line->origin.z, c.z));
     Sum a = {R(0), R(0)}, b = {R(0), R(0)};
     for (int i = 0; i < 3; i++) {
         const Twofold x = quadric_coordinate(q->m + 3 * i, o, lost),
                       v = quadric_coordinate(q->m + 3 * i, line->d, none);
-        const Twofold part = {R(q->s[i]) * v.hi, R(q->s[i]) * v.lo}; /* exact: s is 0, 1 or -1 */
+        const Twofold part = twofold_scaled(v, R(q->s[i]));
         sum_twofold_product(&a, part, v);
         sum_twofold_product(&b, part, x);
-        if (i == 2) {
-            const Twofold g = {R(-q->g), R(0)};
-            sum_twofold_product(&b, g, v);
-        }
+        if (i == 2) sum_twofold_product(&b, make_twofold(R(-q->g)), v);
     }
-    const Twofold leading = sum_twofold(a), product = sum_twofold(b), twice = {R(-2) * product.hi, R(-2) * product.lo};
-    const real other = leading.hi == R(0) ? R(0) : twofold_ratio(twice, leading);
-    /* What the start is off the surface shifts the other end by as much along the line. */
-    const vec x = apply(q->m, o);
-    const real slope =
-        fmax(quadric_slope(q, x, product.hi), quadric_slope(q, along(x, apply(q->m, line->d), other), product.hi));
-    return span_left(line, leading.hi, other, slope);
+    const Twofold leading = sum_twofold(a);
+    return leading.hi == R(0) ? R(0) : twofold_ratio(twofold_scaled(sum_twofold(b), R(-2)), leading);
+}
+
+/* The span where the ray has just left the quadric, from what the line has of it. An end ahead is where the line meets
+ * the quadric, or, where rounding blurs that too much for the chord's length, where the start's being on it puts it. */
+static inline Span quadric_span_left(__global const LayoutQuadric* q, const Line* line, real a, Span span)
+{
+    const real start = line->start;
+    if ((a > R(0)) != (line->left_inside != 0)) return span_left(line, a, span.lo, span.slope_lo);
+    const real blur = span.slope_lo * line_error(line, start) + span.slope_hi * line_error(line, span.hi);
+    if (a != R(0) && !(span.hi - start > R(2) * blur)) span.hi = start + quadric_deflated(q, line);
+    return span_left(line, a, span.hi, span.slope_hi);
 }
 
 static inline Span quadric_span(__global const LayoutQuadric* q, const Line* line, int left)
 {
-    if (left) return quadric_span_left(q, line);
-    const vec c = load_vec(q->c);
-    const vec d = apply(q->m, line->d);
-    const real a = quadric_leading(q, d);
-    const vec o = sub(line->base, c);
-    const vec moment = cross_exact(o, line->d);
-#ifdef CLU_DOUBLE
-    /* The stored cofactors are rounded: too coarse for double. */
-    const vec m0 = load_vec(q->m), m1 = load_vec(q->m + 3), m2 = load_vec(q->m + 6);
-    const vec k = make_vec(dot3(cross_exact(m1, m2), moment), dot3(cross_exact(m2, m0), moment),
-                           dot3(cross_exact(m0, m1), moment));
-#else
-    const vec k = apply(q->cof, moment);
-#endif
-    const real discriminant = quadric_discriminant(q, d, k);
-    if (!(discriminant > R(0)) && a != R(0)) return a < R(0) ? span_everything() : span_nothing();
-
-    /* A, B, C at the line's point nearest to the frame's origin. */
-    const real dd = dot3(d, d);
-    const real nearest = -dot3(apply(q->m, o), d) / dd;
-    const vec x = scaled(cross_exact(d, k), R(1) / dd);
-    const vec gradient = quadric_half_gradient(q, x);
-    const real b = dot3(gradient, d);
-    const real value = quadric_value(q, x);
-
-    if (!(discriminant > R(0))) return value < R(0) ? span_everything() : span_nothing();
-    const real root = sqrt(discriminant);
-    const real s = -(b + copysign(root, b));
-    const real t1 = value / s;
+    const QuadricLine l = quadric_line(q, line);
     Span span;
-    if (a == R(0)) {
-        span = b > R(0) ? make_span(-INFINITE, t1, R(0), 1) : make_span(t1, INFINITE, R(0), 1);
+    if (l.discriminant > R(0)) {
+        const real root = sqrt(l.discriminant);
+        const real s = -(l.b + copysign(root, l.b));
+        const real t1 = l.c / s;
+        if (l.a == R(0)) {
+            span = l.b > R(0) ? make_span(-INFINITE, t1, R(0), 1) : make_span(t1, INFINITE, R(0), 1);
+        } else {
+            const real t2 = s / l.a;
+            span = make_span(fmin(t1, t2), fmax(t1, t2), R(0), l.a > R(0));
+        }
+        if (is_finite(span.lo)) span.slope_lo = quadric_slope(q, along(l.x, l.d, span.lo), root);
+        if (is_finite(span.hi)) span.slope_hi = quadric_slope(q, along(l.x, l.d, span.hi), root);
     } else {
-        const real t2 = s / a;
-        span = make_span(fmin(t1, t2), fmax(t1, t2), R(0), a > R(0));
+        span = (l.a == R(0) ? l.c : l.a) < R(0) ? span_everything() : span_nothing();
     }
-    if (is_finite(span.lo)) span.slope_lo = quadric_slope(q, along(x, d, span.lo), root);
-    if (is_finite(span.hi)) span.slope_hi = quadric_slope(q, along(x, d, span.hi), root);
-    span.lo += nearest;
-    span.hi += nearest;
-    return span;
+    return left ? quadric_span_left(q, line, l.a, span) : span;
 }
 
 /* Outward normal; *p makes one Newton step onto the surface. At a singular point (a cone's apex) any unit vector. */

@@ -11,7 +11,7 @@ static inline Span sphere_span(__global const LayoutSphere* sphere, const Line* 
     const real r = R(sphere->r);
     if (left) {
         const real b = dot_exact(sub(line->origin, c), line->d), chord = R(-2) * b;
-        return span_left(line, R(1), fma(-chord, length_excess(line->d), chord), r / fabs(b));
+        return span_left(line, R(1), line->start + fma(-chord, length_excess(line->d), chord), r / fabs(b));
     }
     const vec o = sub(line->base, c);
     const vec k = cross_exact(o, line->d);

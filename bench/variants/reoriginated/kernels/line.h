@@ -32,7 +32,7 @@ static inline Line make_line(const Ray* ray, __global const LayoutObject* object
     line.left_inside = ray->left_inside;
     if (dot3(line.origin, line.origin) > square(R(object->near))) {
         line.start = dot3(line.origin, ray->d) / line.dd;
-        line.base = scaled(cross3(ray->d, cross3(line.origin, ray->d)), R(1) / line.dd);
+        line.base = along(line.origin, ray->d, -line.start);
     }
     return line;
 }
