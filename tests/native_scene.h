@@ -3,9 +3,11 @@
 
 #include "machines.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <optional>
 #include <random>
@@ -63,6 +65,18 @@ inline SolidPtr cuboid(Vec3 center, Vec3 size)
 {
     return solid(scene::Cuboid{center, {0, 0, 1}, {1, 0, 0}, size});
 }
+
+/// The worst of what a test measures, told with its result (docs/hard-cases.md). value counts in units of u unless its
+/// name says otherwise.
+struct Measured {
+    const char* name;
+    double value = 0;
+    void see(double v) { value = std::max(value, std::fabs(v)); }
+    explicit Measured(const char* n) : name(n) {}
+    Measured(const Measured&) = delete;
+    Measured& operator=(const Measured&) = delete;
+    ~Measured() { ::testing::Test::RecordProperty(name, fmt::format("{:.3g}", value)); }
+};
 
 // Random numbers, the same everywhere.
 using Random = std::mt19937_64;

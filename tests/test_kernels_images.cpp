@@ -78,6 +78,7 @@ TYPED_TEST(KernelsImages, AMovedSceneIsTheSamePicture)
     const Image there = render<TypeParam>(parse(still_life(1, 1e5, 1)), small);
     // What double keeps of lengths at 1e5 is 1e-11: only float's rounding of slightly other numbers remains.
     EXPECT_LE(rmse(here, there), 2e-6);
+    Measured("rmse_itself").see(rmse(here, there));
     expect_sound(there.stats);
 }
 
@@ -121,6 +122,7 @@ TYPED_TEST(KernelsImages, ThePictureDoesNotDependOnTheAxesNames)
     const Image image = render<TypeParam>(scene("xyz"), small), turned = render<TypeParam>(scene("zxy"), small);
     // Sums of three are rounded in another order: some units, over 8 hops; but no other events.
     EXPECT_LE(rmse(image, turned), 64 * TypeParam::u);
+    Measured("rmse_itself").see(rmse(image, turned));
     for (const auto stat : {STAT_RAYS, STAT_REFLECTED, STAT_REFRACTED, STAT_SHADOW})
         EXPECT_EQ(image.stats[stat], turned.stats[stat]);
 }
@@ -217,6 +219,7 @@ TYPED_TEST(KernelsImages, FlushBlocksOfOneIndexAreOneBlock)
     expect_sound(ten.stats);
     // Silent crossings move a ray by a unit each; total reflections inside make that some more.
     EXPECT_LE(rmse(one, ten), 2e-6);
+    Measured("rmse_itself").see(rmse(one, ten));
 }
 
 TYPED_TEST(KernelsImages, BetweenFlushBlocksOfDifferentIndexIsNoVacuum)
@@ -302,6 +305,8 @@ TYPED_TEST(KernelsImages, AThousandThinSlabsAbsorbAsOne)
     EXPECT_NEAR(many.r / one.r, 1, tolerance);
     EXPECT_NEAR(many.g / one.g, 1, tolerance);
     EXPECT_NEAR(many.b / one.b, 1, tolerance);
+    Measured worst("relative_in_units_of_float");
+    for (const double ratio : {many.r / one.r, many.g / one.g, many.b / one.b}) worst.see((ratio - 1) / Float::u);
     expect_sound(stats);
 }
 

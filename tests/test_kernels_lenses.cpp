@@ -61,6 +61,7 @@ TYPED_TEST(KernelsLenses, ABallLensFocusesWhereItMust)
     const Native ball(glass(sphere({0, 0, 0}, 1), 1.5));
     const std::pair<double, double> heights[]{
         {.01, 1.4999583327}, {.1, 1.4958270631}, {.5, 1.3915729489}, {.9, 1.1044455684}};
+    Measured worst("axis_times_height");
     for (const auto& [h, crossing] : heights) {
         const double height = to_real<P>(h);
         Walker<P> ray{ball, 1.5, {{-3, height, 0}, {1, 0, 0}}};
@@ -68,6 +69,7 @@ TYPED_TEST(KernelsLenses, ABallLensFocusesWhereItMust)
         const double x = ray.path.o.x - ray.path.o.y * ray.path.d.x / ray.path.d.y;
         // The angle of the exit is off by some units; crossing the axis divides that by the height.
         EXPECT_NEAR(x, crossing, 16 * P::u / h + 1e-10);
+        worst.see((x - crossing) * h / P::u);
         expect_sound(ray.stats);
     }
 }
@@ -88,6 +90,7 @@ TYPED_TEST(KernelsLenses, APrismAtMinimumDeviationDeviatesByTheBooksAngle)
     // Four normals and directions, each off by up to two units; at the minimum the incidence itself does not count.
     // The buffers' normals are floats, whatever the precision.
     EXPECT_NEAR(deviation, 37.1807557815 * degree, 16 * P::u + 2 * Float::u);
+    Measured("deviation").see((deviation - 37.1807557815 * degree) / P::u);
     const Rgb seen = trace<P>(prism, Vec3{-.25, 0, .5} - d * 2, d, ray.stats);
     EXPECT_NEAR(direction_of(seen).x, ray.path.d.x, 8 * P::u);
     EXPECT_NEAR(direction_of(seen).z, ray.path.d.z, 8 * P::u);
@@ -100,6 +103,7 @@ TYPED_TEST(KernelsLenses, RainbowsStandAtTheirAngles)
     const double index = to_real<Float>(4.0 / 3);
     const Native drop(glass(sphere({0, 0, 0}, 1), index));
     const std::tuple<int, double, double> bows[]{{1, 59.3911023403, 42.0296588657}, {2, 71.8319712427, 50.9780935257}};
+    Measured worst("angle");
     for (const auto& [reflections, incidence, angle] : bows) {
         Walker<P> ray{drop, index, {{-3, to_real<P>(std::sin(incidence * degree)), 0}, {1, 0, 0}}};
         ASSERT_TRUE(ray.refract());
@@ -112,6 +116,7 @@ TYPED_TEST(KernelsLenses, RainbowsStandAtTheirAngles)
         const double exact = reflections == 1 ? 4 * inner - 2 * incidence * degree
                                               : std::numbers::pi + 2 * incidence * degree - 6 * inner;
         EXPECT_NEAR(seen, exact, 32 * P::u);
+        worst.see((seen - exact) / P::u);
         EXPECT_NEAR(seen, angle * degree, 32 * P::u + 2e-7);
         expect_sound(ray.stats);
     }
@@ -125,6 +130,7 @@ TYPED_TEST(KernelsLenses, APlaneParallelPlateShiftsARayAndKeepsItsDirection)
     Walker<P> ray{plate, 1.5, {{-1, 0, 1}, d}};
     ASSERT_TRUE(ray.refract() && ray.refract());
     EXPECT_LE(scene::length(ray.path.d - scene::unit(d)), 4 * P::u);
+    Measured("direction").see(scene::length(ray.path.d - scene::unit(d)) / P::u);
     const Vec3 off = ray.path.o - Vec3{-1, 0, 1};
     EXPECT_NEAR(scene::length(off - d * dot(off, d)), .5124720132, 16 * P::u + 1e-10);
     expect_sound(ray.stats);
@@ -178,6 +184,7 @@ TYPED_TEST(KernelsLenses, FresnelsEquationsGiveTheBooksValues)
     ASSERT_TRUE(at_brewster.passes);
     // Half of R_s, which is 0.1479289941, and no p-polarised light.
     EXPECT_NEAR(at_brewster.reflectance, .1479289941 / 2, 16 * P::u + 1e-10);
+    Measured("head_on_relative").see((head_on.reflectance / .04 - 1) / P::u);
     // Grazing, everything reflects; at an index of 1 nothing does.
     const Bend grazing = P::bend({1, 0, 0}, n, 1 / 1.5);
     ASSERT_TRUE(grazing.passes);
@@ -232,6 +239,7 @@ TYPED_TEST(KernelsLenses, AReversedPathOfTenHopsComesBack)
     // Each of twenty events adds some units of angle, which travel over chords of up to two radii.
     EXPECT_LE(scene::length(back.path.d - Vec3{-1, 0, 0}), 400 * P::u);
     EXPECT_LE(std::hypot(off.y, off.z), 800 * P::u);
+    Measured("direction").see(scene::length(back.path.d - Vec3{-1, 0, 0}) / P::u);
     expect_sound(back.stats);
 }
 
@@ -249,7 +257,7 @@ double incidence(Vec3 n, Vec3 d)
 
 /// The worst drift of the angle and out of the plane, in a thousand total reflections in the plane of x and y.
 template <typename P>
-void check_gallery(const Native& ball, double angle, Vec3 x, Vec3 y)
+void check_gallery(const Native& ball, double angle, Vec3 x, Vec3 y, Measured& worst)
 {
     const double a = angle * degree;
     Walker<P> ray{ball, 1.5, {to_real<P>(y * std::sin(a)), to_real<P>(x)}, {0U}};
@@ -270,6 +278,7 @@ void check_gallery(const Native& ball, double angle, Vec3 x, Vec3 y)
         ray.path = back(hit, P::bend(ray.path.d, facing(hit, ray.path.d), 1).reflected);
     }
     EXPECT_LE(drift, 1e-5 * P::u / Float::u + 1e-14) << "at " << angle << " degrees";
+    worst.see(drift / P::u);
     EXPECT_LE(out_of_plane, 1e-4 * P::u / Float::u) << "at " << angle << " degrees";
     expect_sound(ray.stats);
 }
@@ -280,10 +289,11 @@ TYPED_TEST(KernelsLenses, AThousandTotalReflectionsStayInTheirPlaneAndAngle)
     const Native ball(glass(sphere({0, 0, 0}, 1), 1.5));
     Random random(16);
     for (const double angle : {60.0, 89.9}) {
-        check_gallery<P>(ball, angle, {1, 0, 0}, {0, 0, 1});
+        Measured worst(angle < 89 ? "drift_at_60_degrees" : "drift_at_89_9_degrees");
+        check_gallery<P>(ball, angle, {1, 0, 0}, {0, 0, 1}, worst);
         for (int i = 0; i < 16 / P::share; i++) { // in other planes, for their roundings
             const Vec3 x = random_direction(random), y = scene::unit(scene::cross(x, random_direction(random)));
-            check_gallery<P>(ball, angle, x, y);
+            check_gallery<P>(ball, angle, x, y, worst);
         }
     }
 }

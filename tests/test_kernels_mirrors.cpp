@@ -40,6 +40,7 @@ TYPED_TEST(KernelsMirrors, AConcaveMirrorCrossesTheAxisWhereItMust)
     const Vec3 d = mirrored<P>({1, 0, 0}, hit->n);
     // The normal is off by some units, which the height of 0.48 turns into twice as much along the axis.
     EXPECT_NEAR(hit->p.x - hit->p.y * d.x / d.y, .569746963662274561, 16 * P::u);
+    Measured("axis").see((hit->p.x - hit->p.y * d.x / d.y - .569746963662274561) / P::u);
     expect_sound(stats);
 }
 
@@ -49,12 +50,14 @@ TYPED_TEST(KernelsMirrors, AParabolicMirrorSendsParallelRaysThroughItsFocus)
     Stats stats{};
     const Native dish(mirrors({complement(solid(scene::Paraboloid{{0, 0, 0}, {0, 0, .5}}))}));
     Random random(1);
+    Measured worst("distance_from_focus");
     for (int i = 0; i < 1000 / P::share; i++) {
         const Vec3 o = to_real<P>(Vec3{uniform(random, -1, 1), uniform(random, -1, 1), 4});
         const auto hit = next_hit<P>(dish, {o, {0, 0, -1}}, {}, stats);
         ASSERT_TRUE(hit);
         EXPECT_NEAR(hit->p.z, (o.x * o.x + o.y * o.y) / 2, 4 * P::u);
         EXPECT_LE(distance_to({0, 0, .5}, hit->p, mirrored<P>({0, 0, -1}, hit->n)), 8 * P::u);
+        worst.see(distance_to({0, 0, .5}, hit->p, mirrored<P>({0, 0, -1}, hit->n)) / P::u);
     }
     // Along the axis itself, and beside it without any mirror in the way.
     const auto apex = next_hit<P>(dish, {{0, 0, 4}, {0, 0, -1}}, {}, stats);
@@ -70,12 +73,14 @@ TYPED_TEST(KernelsMirrors, AHyperbolicMirrorMapsOneFocusOntoTheOther)
     Stats stats{};
     const double v = .5, h = 1, focus = std::sqrt(1.25); // sqrt(v^2 + h^2)
     const Native waist(mirrors({complement(solid(scene::Hyperboloid{{0, 0, 0}, {0, 0, h}, v}))}));
+    Measured worst("distance_from_focus");
     for (double z = -2; z <= 2; z += .125) {
         const Vec3 o{0, 0, z};
         const auto d = scene::unit(Vec3{focus, 0, 0} - o);
         const auto hit = next_hit<P>(waist, {o, d}, {}, stats);
         ASSERT_TRUE(hit);
         EXPECT_LE(distance_to({-focus, 0, 0}, hit->p, mirrored<P>(d, hit->n)), 16 * P::u * (1 + std::fabs(z)));
+        worst.see(distance_to({-focus, 0, 0}, hit->p, mirrored<P>(d, hit->n)) / (1 + std::fabs(z)) / P::u);
     }
     expect_sound(stats);
 }
@@ -89,6 +94,7 @@ TYPED_TEST(KernelsMirrors, AHyperbolicMirrorOfTwoSheetsSendsWhatIsAimedAtOneFocu
     const double focus = to_real<P>(std::sqrt(1.25));
     const Vec3 behind{0, 0, focus}, before{0, 0, -focus};
     Random random(9);
+    Measured worst("distance_from_focus");
     for (int i = 0; i < 1000; i++) {
         const Vec3 o = to_real<P>(Vec3{uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -.375, .375)});
         const Vec3 d = to_real<P>(scene::unit(behind - o));
@@ -96,6 +102,7 @@ TYPED_TEST(KernelsMirrors, AHyperbolicMirrorOfTwoSheetsSendsWhatIsAimedAtOneFocu
         ASSERT_TRUE(hit);
         EXPECT_GT(hit->p.z, .5 - 4 * P::u);
         EXPECT_LE(distance_to(before, hit->p, mirrored<P>(d, hit->n)), 32 * P::u);
+        worst.see(distance_to(before, hit->p, mirrored<P>(d, hit->n)) / P::u);
         // Between the sheets the light goes back, and meets the other one, aimed at its focus.
         const Vec3 back_d = mirrored<P>(d, hit->n);
         const auto next = next_hit<P>(sheets, back(*hit, back_d), {}, stats);
@@ -137,11 +144,14 @@ TYPED_TEST(KernelsMirrors, ATurnedCornerCubeSendsRaysBack)
     const Native corner(mirrors({plane({0, 0, 0}, x), plane({0, 0, 0}, y), plane({0, 0, 0}, z)}));
     Random random(3);
     Stats stats{};
+    Measured worst("direction_in_units_of_float");
     for (int i = 0; i < 2000 / P::share; i++) {
         const Vec3 o = turn * Vec3{uniform(random, .5, 1), uniform(random, .5, 1), uniform(random, .5, 1)};
         const Vec3 d = scene::unit(random_in_box(random, .2) - o);
         // The buffers' normals are floats, whatever the precision.
-        EXPECT_LE(length(direction_of(trace<P>(corner, o, d, stats)) + d), 8 * (P::u + Float::u));
+        const double off = length(direction_of(trace<P>(corner, o, d, stats)) + d);
+        EXPECT_LE(off, 8 * (P::u + Float::u));
+        worst.see(off / Float::u);
     }
     expect_sound(stats);
 }
@@ -157,6 +167,7 @@ TYPED_TEST(KernelsMirrors, ABoxOfMirrorsUnfoldsIntoALattice)
     const long double size =
         std::sqrt(static_cast<long double>(start.x) * start.x + static_cast<long double>(start.y) * start.y +
                   static_cast<long double>(start.z) * start.z);
+    Measured worst("place_a_chord");
     for (int k = 0; k < 100; k++) {
         const auto hit = next_hit<P>(room, path, {}, stats);
         ASSERT_TRUE(hit);
@@ -169,6 +180,7 @@ TYPED_TEST(KernelsMirrors, ABoxOfMirrorsUnfoldsIntoALattice)
         const Vec3 expected{fold(o.x, start.x), fold(o.y, start.y), fold(o.z, start.z)};
         // Each chord adds some units of a length of about 1.
         ASSERT_LE(length(path.o - expected), 8 * P::u * (k + 1));
+        worst.see(length(path.o - expected) / P::u / (k + 1));
     }
     expect_sound(stats);
 }
@@ -195,11 +207,13 @@ TYPED_TEST(KernelsMirrors, ACylinderIsLeftAtTheRightLengthHoweverFlatTheRay)
     using P = TypeParam;
     const Native tube(scene_of({solid(scene::Cylinder{{0, 0, 0}, {0, 0, 1}})}));
     Stats stats{};
+    Measured worst("length");
     for (double sine = .1; sine > 5e-8; sine /= 10) {
         const Vec3 d = to_real<P>(Vec3{sine, 0, std::sqrt(1 - sine * sine)});
         const auto hit = next_hit<P>(tube, {{0, 0, 0}, d}, {0U}, stats);
         ASSERT_TRUE(hit);
         EXPECT_NEAR(hit->t * d.x / length(d), 1, 8 * P::u) << sine;
+        worst.see((hit->t * d.x / length(d) - 1) / P::u);
     }
     EXPECT_FALSE(next_hit<P>(tube, {{.5, .25, -3}, {0, 0, 1}}, {0U}, stats)); // along the axis, inside
     EXPECT_FALSE(next_hit<P>(tube, {{1.5, .25, -3}, {0, 0, 1}}, {}, stats));  // and outside
