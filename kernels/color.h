@@ -48,7 +48,7 @@ static inline rgb rgb_saturate(rgb a)
 }
 static inline real rgb_largest(rgb a)
 {
-    return fmax(a.r, fmax(a.g, a.b));
+    return larger(a.r, larger(a.g, a.b));
 }
 
 /* A filter: square roots of r, g, b at 11, 11 and 10 bits, so that 0 and 1 are exact and the error is even to the eye

@@ -108,16 +108,16 @@ static inline Span group_span(const World* world, const LayoutGroup group, const
 }
 
 /* Whether the span holds the point just after x, and after all ends that rounding cannot tell from x. */
-static inline int span_holds(const Line* line, const Span* s, real x, real err)
+static inline int span_holds(const Span* s, real x, real doubt)
 {
-    const int after_lo = passed(line, s->lo, s->slope_lo, x, err);
-    const int after_hi = passed(line, s->hi, s->slope_hi, x, err);
+    const int after_lo = passed(s->lo, s->slope_lo, x, doubt);
+    const int after_hi = passed(s->hi, s->slope_hi, x, doubt);
     return (after_lo && !after_hi) == s->keep;
 }
 
 #ifdef CLU_GROUPS
-static inline int object_holds(const World* world, __global const LayoutObject* object, const Line* line,
-                               const Span* spans, real x, real err)
+static inline int object_holds(const World* world, __global const LayoutObject* object, const Span* spans, real x,
+                               real doubt)
 {
 #ifdef CLU_PROGRAM
     if (object->program_count) {
@@ -126,7 +126,7 @@ static inline int object_holds(const World* world, __global const LayoutObject* 
             const u32 op = world->programs[object->program_begin + i];
             const u32 n = op >> OP_SHIFT;
             if ((op & OP_MASK) == OP_GROUP) {
-                bits = bits << 1 | (u32)span_holds(line, &spans[n], x, err);
+                bits = bits << 1 | (u32)span_holds(&spans[n], x, doubt);
             } else {
                 const u32 mask = (2u << (n - 1)) - 1u;
                 const u32 top = bits & mask;
@@ -138,7 +138,7 @@ static inline int object_holds(const World* world, __global const LayoutObject* 
     }
 #endif
     for (u32 i = 0; i < object->group_count; i++)
-        if (!span_holds(line, &spans[i], x, err)) return 0;
+        if (!span_holds(&spans[i], x, doubt)) return 0;
     return 1;
 }
 
@@ -160,13 +160,13 @@ static inline Crossing nearest_face(const Span* spans, u32 count, real x, int en
 }
 
 /* The least end after x that has not been passed. */
-static inline real next_end(const Line* line, const Span* spans, u32 count, real x, real err)
+static inline real next_end(const Span* spans, u32 count, real x, real doubt)
 {
     real next = INFINITE;
     for (u32 i = 0; i < count; i++) {
         const Span s = spans[i];
-        if (s.lo < next && !passed(line, s.lo, s.slope_lo, x, err)) next = s.lo;
-        if (s.hi < next && !passed(line, s.hi, s.slope_hi, x, err)) next = s.hi;
+        if (s.lo < next && !passed(s.lo, s.slope_lo, x, doubt)) next = s.lo;
+        if (s.hi < next && !passed(s.hi, s.slope_hi, x, doubt)) next = s.hi;
     }
     return next;
 }
@@ -177,7 +177,7 @@ static inline real next_end(const Line* line, const Span* spans, u32 count, real
 static inline Crossing crossing_here(World* world, const Line* line, Crossing found, real x, real err)
 {
     const real error = place_error(line, x, err);
-    if (!(fabs(found.at - line->start - x) <= R(16) * fmax(found.slope, R(1)) * error)) {
+    if (!(fabs(found.at - line->start - x) <= R(16) * larger(found.slope, R(1)) * error)) {
         COUNT(world, STAT_PARITY);
         found.face = MEMBER_NONE;
     }
@@ -192,7 +192,7 @@ static inline Crossing crossing_here(World* world, const Line* line, Crossing fo
 static inline int object_crossing(World* world, __global const LayoutObject* object, const Line* line, real x, real err,
                                   int inside, Crossing* crossing)
 {
-    const real from = line->start + x;
+    const real from = line->start + x, doubt = place_error(line, from, err);
 #ifdef CLU_GROUPS
     if (object->group_count > 1 || object->program_count) {
         Span spans[CLU_GROUP_CAPACITY];
@@ -204,15 +204,16 @@ static inline int object_crossing(World* world, __global const LayoutObject* obj
             /* An intersection one of whose members has nothing ahead is done with. */
             if (!inside && !object->program_count && s.keep && !(s.lo < s.hi && s.hi >= from)) return 0;
         } while (++i < count);
-        if (object_holds(world, object, line, spans, from, err) != inside) {
+        if (object_holds(world, object, spans, from, doubt) != inside) {
             *crossing = crossing_here(world, line, nearest_face(spans, count, from, !inside), x, err);
             return 1;
         }
-        real at = from;
+        real at = from, here = doubt;
         do {
-            at = next_end(line, spans, count, at, at == from ? err : R(0));
+            at = next_end(spans, count, at, here);
             if (!(at < INFINITE)) return 0;
-        } while (object_holds(world, object, line, spans, at, R(0)) == inside);
+            here = place_error(line, at, R(0));
+        } while (object_holds(world, object, spans, at, here) == inside);
         *crossing = nearest_face(spans, count, at, !inside);
         crossing->at = at;
         crossing->t = at - line->start;
@@ -225,12 +226,14 @@ static inline int object_crossing(World* world, __global const LayoutObject* obj
     crossing->at = at_lo ? s.lo : s.hi;
     crossing->slope = at_lo ? s.slope_lo : s.slope_hi;
     crossing->face = at_lo ? s.face_lo : s.face_hi;
-    if (span_holds(line, &s, from, err) != inside) {
+    if (span_holds(&s, from, doubt) != inside) {
         *crossing = crossing_here(world, line, *crossing, x, err);
         return 1;
     }
     if (!is_finite(crossing->at)) return 0;
-    if (at_lo && (passed(line, s.lo, s.slope_lo, from, err) || passed(line, s.hi, s.slope_hi, s.lo, R(0)))) return 0;
+    if (at_lo &&
+        (passed(s.lo, s.slope_lo, from, doubt) || passed(s.hi, s.slope_hi, s.lo, place_error(line, s.lo, R(0)))))
+        return 0;
     crossing->t = crossing->at - line->start;
     crossing->err = crossing_error(line, crossing);
     return 1;
@@ -239,16 +242,17 @@ static inline int object_crossing(World* world, __global const LayoutObject* obj
 /* Whether the object holds the ray's start: on its boundary the ray's own side decides. */
 static inline int object_holds_start(const World* world, __global const LayoutObject* object, const Line* line)
 {
+    const real doubt = place_error(line, line->start, R(0));
 #ifdef CLU_GROUPS
     if (object->group_count > 1 || object->program_count) {
         Span spans[CLU_GROUP_CAPACITY];
         for (u32 i = 0; i < object->group_count; i++)
             spans[i] = group_span(world, world->groups[object->group_begin + i], line);
-        return object_holds(world, object, line, spans, line->start, R(0));
+        return object_holds(world, object, spans, line->start, doubt);
     }
 #endif
     const Span s = group_span(world, world->groups[object->group_begin], line);
-    return span_holds(line, &s, line->start, R(0));
+    return span_holds(&s, line->start, doubt);
 }
 
 #endif

@@ -40,7 +40,7 @@ __kernel void intersect(SCENE_PARAMETERS, __global const uint2* restrict pixels,
         else
             ray.d = reflected(ray.d, s.facing, s.cosine);
         ray.o = s.p;
-        ray.dd = dot_exact(ray.d, ray.d);
+        ray.excess = length_excess(ray.d);
         ray.left = s.left;
         ray.left_inside = straight ? s.beyond_inside : !s.beyond_inside;
         ray.err = s.err;

@@ -5,13 +5,13 @@
 #include "kernels/world.h"
 
 typedef struct {
-    vec base, d; /* base relative to the object's centre */
-    vec origin;  /* the ray's origin, relative to the centre too */
-    vec lost;    /* what the subtraction of the centre has rounded away of origin */
-    real start;  /* parameter of the ray's origin */
-    real err;    /* of the origin: Ray's */
-    real dd;     /* |d|^2 */
-    real grain;  /* the object's */
+    vec base, d;   /* base relative to the object's centre */
+    vec origin;    /* the ray's origin, relative to the centre too */
+    vec o, center; /* both relative to the eye */
+    real start;    /* parameter of the ray's origin */
+    real err;      /* of the origin: Ray's */
+    real excess;   /* |d|^2 - 1 */
+    real size;     /* of the numbers that places on the line are computed from */
     u32 left;
     int left_inside;
 } Line;
@@ -24,27 +24,33 @@ typedef struct {
     u32 face;
 } Crossing;
 
+/* What the subtraction of the object's centre has rounded away of the ray's origin. */
+static inline vec line_lost(const Line* line)
+{
+    return make_vec(difference_error(line->o.x, line->center.x), difference_error(line->o.y, line->center.y),
+                    difference_error(line->o.z, line->center.z));
+}
+
 /* The ray in the object's frame. From far off the line's base is its point nearest to the centre, so that the object
  * is seen sharply; else it is the ray's origin itself, so that what lies on a surface stays there. */
 static inline Line make_line(const Ray* ray, __global const LayoutObject* object)
 {
-    const vec center = load_vec(object->center);
     Line line;
+    line.o = ray->o;
+    line.center = load_vec(object->center);
     line.d = ray->d;
-    line.dd = ray->dd;
-    line.origin = line.base = sub(ray->o, center);
-    line.lost = make_vec(difference_error(ray->o.x, center.x), difference_error(ray->o.y, center.y),
-                         difference_error(ray->o.z, center.z));
+    line.excess = ray->excess;
+    line.origin = line.base = sub(line.o, line.center);
     line.start = R(0);
     line.err = ray->err;
-    line.grain = R(object->grain);
     line.left = ray->left;
     line.left_inside = ray->left_inside;
     if (dot3(line.origin, line.origin) > square(R(object->near))) {
         /* Wherever rounding puts start, the point there is right: fma subtracts before it rounds. */
-        line.start = dot3(line.origin, ray->d) / line.dd;
-        line.base = add(along(line.origin, ray->d, -line.start), line.lost);
+        line.start = over_square(dot3(line.origin, line.d), line.excess);
+        line.base = add(along(line.origin, line.d, -line.start), line_lost(&line));
     }
+    line.size = larger(largest(line.base), R(object->grain));
     return line;
 }
 

@@ -41,7 +41,7 @@ static Ray make_ray(const NativeRay* r)
     Ray ray;
     ray.o = from_doubles(r->o);
     ray.d = renormalized(from_doubles(r->d));
-    ray.dd = dot_exact(ray.d, ray.d);
+    ray.excess = length_excess(ray.d);
     ray.left = r->left;
     ray.left_inside = r->left_inside;
     ray.err = (real)r->err;

@@ -52,7 +52,7 @@ static inline real interface_spread(const Interface* face, real t)
 {
     real spread = R(0);
     for (u32 i = 0; i < face->count; i++) {
-        spread = fmax(spread, distance_at(&face->crossings[i], t));
+        spread = larger(spread, distance_at(&face->crossings[i], t));
     }
     return spread;
 }

@@ -24,7 +24,7 @@ static inline void observer_branch(World* world, u32 i, u32 j, u32 sample, Branc
     const vec s = add(scaled(load_vec(f->column), u), scaled(load_vec(f->row), v));
     branch->ray.o = scaled(s, R(f->window));
     branch->ray.d = unit(add(load_vec(f->forward), s));
-    branch->ray.dd = dot_exact(branch->ray.d, branch->ray.d);
+    branch->ray.excess = length_excess(branch->ray.d);
     branch->ray.left = MEMBER_NONE;
     branch->ray.left_inside = 0;
     branch->ray.err = R(0);

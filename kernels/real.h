@@ -31,6 +31,15 @@ static inline int is_finite(real x)
 {
     return fabs(x) < INFINITE;
 }
+/* The larger and the smaller of two numbers; b where a is none. fmax and fmin take care of either, and take longer. */
+static inline real larger(real a, real b)
+{
+    return a > b ? a : b;
+}
+static inline real smaller(real a, real b)
+{
+    return a < b ? a : b;
+}
 static inline real square(real x)
 {
     return x * x;

@@ -12,14 +12,14 @@
 
 static inline real position_error(vec o, real t)
 {
-    return ROUNDINGS * R(STORED_ROUNDOFF) * fmax(largest(o), fabs(t));
+    return ROUNDINGS * R(STORED_ROUNDOFF) * larger(largest(o), fabs(t));
 }
 
 /* The error of a parameter t on this line, for a surface met at right angles: by arithmetic, and by what members were
  * stored to, which counts between objects that store the same surface each in its own way. */
 static inline real line_error(const Line* line, real t)
 {
-    return ROUNDINGS * UNIT_ROUNDOFF * fmax(fmax(largest(line->base), fabs(t)), line->grain);
+    return ROUNDINGS * UNIT_ROUNDOFF * larger(line->size, fabs(t));
 }
 static inline real stored_error(const Line* line, real t)
 {
@@ -33,11 +33,11 @@ static inline real place_error(const Line* line, real x, real err)
     return err > R(0) ? stored_error(line, x) + err : line_error(line, x);
 }
 
-/* Whether an end at t lies before x, or so near after it that rounding cannot tell: the point at x is (t - x)/slope
- * away from the surface. */
-static inline int passed(const Line* line, real t, real slope, real x, real err)
+/* Whether an end at t lies before x, or so near after it that rounding cannot tell: the point at x, known to within
+ * doubt, is (t - x)/slope away from the surface. */
+static inline int passed(real t, real slope, real x, real doubt)
 {
-    return t <= x || (is_finite(t) && t - x <= slope * place_error(line, x, err));
+    return t <= x || (t < INFINITE && t - x <= slope * doubt);
 }
 
 /* Whether the member (whatever side of it is meant) is the primitive that the ray has just left. */
@@ -60,7 +60,7 @@ static inline real crossing_error(const Line* line, const Crossing* c)
 static inline int coincides(Crossing nearest, Crossing c)
 {
     const real beyond = c.t - nearest.t;
-    const real err = fmax(c.err - ROUNDINGS * R(STORED_ROUNDOFF) * beyond, nearest.err);
+    const real err = larger(c.err - ROUNDINGS * R(STORED_ROUNDOFF) * beyond, nearest.err);
     const real along_ray = fma(nearest.slope, nearest.err, R(4) * UNIT_ROUNDOFF * fabs(nearest.t));
     return beyond <= fma(c.slope, err, along_ray);
 }
@@ -68,13 +68,13 @@ static inline int coincides(Crossing nearest, Crossing c)
 /* How far ray parameter t may be from the boundary, at right angles to it. */
 static inline real distance_at(const Crossing* c, real t)
 {
-    return fabs(c->t - t) / fmax(c->slope, R(1));
+    return fabs(c->t - t) / larger(c->slope, R(1));
 }
 
 /* How far the surface's point p, at parameter `at`, may lie from the boundaries of objects that store it otherwise. */
 static inline real surface_error(const Line* line, real at, vec p)
 {
-    return fmax(position_error(p, R(0)), stored_error(line, at));
+    return larger(position_error(p, R(0)), stored_error(line, at));
 }
 
 #endif

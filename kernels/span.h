@@ -48,14 +48,14 @@ static inline Span span_left(const Line* line, real a, real end, real slope)
         return line->left_inside ? make_span(start, INFINITE, slope, 1) : make_span(-INFINITE, start, slope, 1);
     /* However short, the chord has a length: on its way the ray is on the side that it went to. */
     const real least = fma(R(4) * UNIT_ROUNDOFF, fabs(start), R(LEAST_CHORD));
-    end = ahead ? fmax(end, start + least) : fmin(end, start - least);
+    end = ahead ? larger(end, start + least) : smaller(end, start - least);
     s = ahead ? make_span(start, end, slope, a > R(0)) : make_span(end, start, slope, a > R(0));
     /* Rounding blurs the end, but not as far as the start: never mistake it for that. */
     const real cap = R(0.25f) * fabs(end - start) / place_error(line, start, line->err);
     if (ahead)
-        s.slope_hi = fmin(slope, cap);
+        s.slope_hi = smaller(slope, cap);
     else
-        s.slope_lo = fmin(slope, cap);
+        s.slope_lo = smaller(slope, cap);
     return s;
 }
 

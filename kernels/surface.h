@@ -65,14 +65,14 @@ static inline int next_surface(World* world, const Ray* ray, Interior* interior,
                 const real left = face.t - x <= CLEAR * err ? err : R(0);
                 const real spread = interface_spread(&face, face.crossings[i].t);
                 *surface =
-                    make_surface(world, ray, shown, face.crossings[i], fmax(shared, left) + spread, before, after);
+                    make_surface(world, ray, shown, face.crossings[i], larger(shared, left) + spread, before, after);
                 return 1;
             }
         }
         COUNT(world, STAT_SILENT);
         interior_copy(interior, beyond);
         /* What lay about the last place counts as passed until it is clear of. */
-        err = face.t - x <= CLEAR * err ? fmax(err, here) : here;
+        err = face.t - x <= CLEAR * err ? larger(err, here) : here;
         x = face.t;
     }
     COUNT(world, STAT_STUCK);

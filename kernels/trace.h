@@ -133,7 +133,7 @@ static inline rgb absorbed(World* world, const Surface* s, rgb filter, u32* lit)
         const real distance = sqrt(dot3(to_light, to_light));
         if (!(distance > R(0))) continue;
         shadow.d = renormalized(scaled(to_light, R(1) / distance));
-        shadow.dd = dot_exact(shadow.d, shadow.d);
+        shadow.excess = length_excess(shadow.d);
         const real cosine = dot3(s->n, shadow.d);
         if (!(cosine > R(0)) || is_hidden(world, &shadow, distance)) continue;
         sum = rgb_add(sum, rgb_scale(light, diffuse(frame->light_law, cosine, distance)));
@@ -164,7 +164,7 @@ static inline int follow(World* world, Branch* next, const Surface* s, vec d, in
     if (is_black(world, next->throughput, next->weight, next->hops, medium_of(interior))) return 0;
     next->ray.o = s->p;
     next->ray.d = d;
-    next->ray.dd = dot_exact(d, d);
+    next->ray.excess = length_excess(d);
     next->ray.left = s->left;
     next->ray.left_inside = beyond ? s->beyond_inside : !s->beyond_inside;
     next->ray.err = s->err;

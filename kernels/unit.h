@@ -20,6 +20,13 @@ static inline real length_excess(vec d)
     return sum_value(s);
 }
 
+/* x / |d|^2, where |d|^2 exceeds 1 by no more than rounding makes of it: sharper than division by the rounded square.
+ */
+static inline real over_square(real x, real excess)
+{
+    return fma(-excess, x, x);
+}
+
 /* A direction that is nearly unit, one Newton step nearer. */
 static inline vec renormalized(vec d)
 {

@@ -51,7 +51,7 @@ static inline vec along(vec o, vec d, real t)
 }
 static inline real largest(vec a)
 {
-    return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z)));
+    return larger(fabs(a.x), larger(fabs(a.y), fabs(a.z)));
 }
 
 /* a x b, each component to within 1.5 ulp. */

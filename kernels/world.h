@@ -41,7 +41,7 @@ typedef struct {
  * goes (known from the event, never recomputed). err bounds the error of o's distance from any surface it lies on. */
 typedef struct {
     vec o, d;
-    real dd; /* |d|^2, which is 1 but for rounding */
+    real excess; /* |d|^2 - 1, which is 0 but for rounding */
     u32 left;
     int left_inside;
     real err;

@@ -20,7 +20,7 @@ static inline Ray probe_ray(__global const real* numbers, __global const uint* m
     Ray ray;
     ray.o = probe_vec(numbers);
     ray.d = renormalized(probe_vec(numbers + 3));
-    ray.dd = dot_exact(ray.d, ray.d);
+    ray.excess = length_excess(ray.d);
     ray.left = marks[0];
     ray.left_inside = (int)marks[1];
     ray.err = ray.left == MEMBER_NONE ? R(0) : numbers[6];

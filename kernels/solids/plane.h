@@ -11,8 +11,10 @@ static inline Span plane_span(__global const LayoutPlane* plane, const Line* lin
     if (left) return span_left(line, R(0), R(0), R(0));
     const real height = dot3(n, line->base) - R(plane->h);
     if (nd == R(0)) return height < R(0) ? span_everything() : span_nothing();
-    const real t = -height / nd;
-    const real slope = R(1) / fabs(nd);
+    /* -height / nd, of whose quotient a step of Newton's makes up for what the reciprocal has lost. */
+    const real reciprocal = R(1) / nd, quotient = -height * reciprocal;
+    const real t = fma(-fma(quotient, nd, height), reciprocal, quotient);
+    const real slope = fabs(reciprocal);
     return nd < R(0) ? make_span(t, INFINITE, slope, 1) : make_span(-INFINITE, t, slope, 1);
 }
 

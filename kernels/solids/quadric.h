@@ -94,9 +94,9 @@ static inline real quadric_deflated(__global const LayoutQuadric* q, const Line*
 {
     const vec c = load_vec(q->c), none = make_vec(R(0), R(0), R(0));
     const vec o = sub(line->origin, c);
-    const vec lost = make_vec(line->lost.x + difference_error(line->origin.x, c.x),
-                              line->lost.y + difference_error(line->origin.y, c.y),
-                              line->lost.z + difference_error(line->origin.z, c.z));
+    const vec lost =
+        add(line_lost(line), make_vec(difference_error(line->origin.x, c.x), difference_error(line->origin.y, c.y),
+                                      difference_error(line->origin.z, c.z)));
     Sum a = {R(0), R(0)}, b = {R(0), R(0)};
     for (int i = 0; i < 3; i++) {
         const Twofold x = quadric_coordinate(q->m + 3 * i, o, lost),

@@ -11,15 +11,15 @@ static inline Span sphere_span(__global const LayoutSphere* sphere, const Line* 
     const real r = R(sphere->r);
     if (left) {
         const real b = dot_exact(sub(line->origin, c), line->d), chord = R(-2) * b;
-        return span_left(line, R(1), line->start + fma(-chord, length_excess(line->d), chord), r / fabs(b));
+        return span_left(line, R(1), line->start + over_square(chord, line->excess), r / fabs(b));
     }
     const vec o = sub(line->base, c);
     const vec k = cross_exact(o, line->d);
-    const real discriminant = fma(r * r, line->dd, -dot3(k, k));
+    const real discriminant = fma(r * r, line->excess, fma(r, r, -dot3(k, k)));
     if (!(discriminant > R(0))) return span_nothing();
     const real root = sqrt(discriminant);
-    const real t = -dot3(o, line->d) / line->dd;
-    const real half_chord = root / line->dd;
+    const real t = over_square(-dot3(o, line->d), line->excess);
+    const real half_chord = over_square(root, line->excess);
     return make_span(t - half_chord, t + half_chord, r / root, 1);
 }
 

@@ -32,10 +32,11 @@ static inline int torus_line(__global const LayoutTorus* torus, const Line* line
     const vec n = unit(load_vec(torus->axis)); /* stored to float: not unit enough for double */
     const vec c = load_vec(torus->c);
     const vec o = sub(line->base, c), d = line->d;
-    const vec b = scaled(cross_exact(d, cross_exact(o, d)), R(1) / line->dd); /* nearest to the centre */
+    const vec b =
+        scaled(cross_exact(d, cross_exact(o, d)), over_square(R(1), line->excess)); /* nearest to the centre */
     l->major = R(torus->major);
     l->minor = R(torus->minor);
-    l->dd = line->dd;
+    l->dd = R(1) + line->excess;
     l->left = left;
     const real outer = l->major + l->minor, bb = dot3(b, b);
     if (!left && bb >= outer * outer) return 0;
@@ -77,7 +78,7 @@ static inline int torus_line(__global const LayoutTorus* torus, const Line* line
     l->z = fma(base, l->dz, height);
     l->lo -= base;
     l->hi -= base;
-    l->shift = base - dot3(o, d) / line->dd;
+    l->shift = base - over_square(dot3(o, d), line->excess);
     l->start = l->rho_start = l->od = R(0);
     if (left) {
         l->start = line->start - l->shift;

@@ -9,7 +9,7 @@ typedef struct {
     vec origin;
     real start;
     real err;
-    real dd;
+    real excess;
     u32 left;
     int left_inside;
 } Line;
@@ -27,7 +27,7 @@ static inline Line make_line(const Ray* ray, __global const LayoutObject* object
     line.d = ray->d;
     line.start = R(0);
     line.err = R(0);
-    line.dd = ray->dd;
+    line.excess = ray->excess;
     line.left = ray->left;
     line.left_inside = ray->left_inside;
     return line;

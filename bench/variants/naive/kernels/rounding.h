@@ -32,12 +32,10 @@ static inline real surface_error(const Line* line, real at, vec p)
     return line_error(line, at);
 }
 
-static inline int passed(const Line* line, real t, real slope, real x, real err)
+static inline int passed(real t, real slope, real x, real doubt)
 {
-    (void)line;
     (void)slope;
-    (void)err;
-    return t <= x + EPSILON;
+    return t <= x + doubt;
 }
 
 /* No primitive is known to have been left. */

@@ -9,6 +9,18 @@ static inline vec normalized(vec a)
     return scaled(a, R(1) / sqrt(dot3(a, a)));
 }
 
+/* Its length is 1. */
+static inline real length_excess(vec d)
+{
+    (void)d;
+    return R(0);
+}
+static inline real over_square(real x, real excess)
+{
+    (void)excess;
+    return x;
+}
+
 static inline vec renormalized(vec d)
 {
     return d;

@@ -9,7 +9,7 @@ typedef struct {
     vec origin;
     real start;
     real err;
-    real dd;
+    real excess;
     u32 left;
     int left_inside;
 } Line;
@@ -27,11 +27,11 @@ static inline Line make_line(const Ray* ray, __global const LayoutObject* object
     line.d = ray->d;
     line.start = R(0);
     line.err = R(0);
-    line.dd = ray->dd;
+    line.excess = ray->excess;
     line.left = ray->left;
     line.left_inside = ray->left_inside;
     if (dot3(line.origin, line.origin) > square(R(object->near))) {
-        line.start = dot3(line.origin, ray->d) / line.dd;
+        line.start = dot3(line.origin, ray->d) / dot3(ray->d, ray->d);
         line.base = along(line.origin, ray->d, -line.start);
     }
     return line;

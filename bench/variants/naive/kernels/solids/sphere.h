@@ -8,7 +8,7 @@ static inline Span sphere_span(__global const LayoutSphere* sphere, const Line* 
 {
     const real r = R(sphere->r);
     const vec o = sub(line->base, load_vec(sphere->c));
-    const real a = line->dd, b = R(2) * dot3(o, line->d), c = dot3(o, o) - r * r;
+    const real a = dot3(line->d, line->d), b = R(2) * dot3(o, line->d), c = dot3(o, o) - r * r;
     const real discriminant = b * b - R(4) * a * c;
     (void)left;
     if (!(discriminant > R(0))) return span_nothing();

@@ -8,10 +8,10 @@ static inline Span sphere_span(__global const LayoutSphere* sphere, const Line* 
 {
     const real r = R(sphere->r);
     const vec o = sub(line->base, load_vec(sphere->c)), k = cross3(o, line->d);
-    const real discriminant = r * r * line->dd - dot3(k, k);
+    const real dd = dot3(line->d, line->d), discriminant = r * r * dd - dot3(k, k);
     (void)left;
     if (!(discriminant > R(0))) return span_nothing();
-    const real middle = -dot3(o, line->d) / line->dd, half_chord = sqrt(discriminant) / line->dd;
+    const real middle = -dot3(o, line->d) / dd, half_chord = sqrt(discriminant) / dd;
     return make_span(middle - half_chord, middle + half_chord, R(1), 1);
 }
 
