@@ -94,6 +94,7 @@ private:
     std::uint32_t all(Kind kind, const std::vector<scene::SolidPtr>& solids, const Place& place)
     {
         std::vector<std::uint32_t> of;
+        of.reserve(solids.size());
         for (const scene::SolidPtr& s : solids) of.push_back(add(*s, place));
         return node(kind, std::move(of));
     }

@@ -4,6 +4,7 @@
 #include "bench/oracle/build_impl.h"
 #include "bench/oracle/trace_impl.h"
 
+// NOLINTBEGIN(bugprone-macro-parentheses): Real is a type.
 #define CLUCIDA_ORACLE_INSTANCES(Real)                                                                                 \
     template World<Real> build(const scene::Scene&, const Options&);                                                   \
     template Path observe(const World<Real>&, unsigned, unsigned, unsigned);                                           \
@@ -11,3 +12,4 @@
     template std::vector<Path> render(const World<Real>&, std::span<const Pixel>, unsigned);                           \
     template std::optional<Hit<Real>> next(const World<Real>&, const std::array<Real, 3>&, const std::array<Real, 3>&, \
                                            std::span<const Surface>)
+// NOLINTEND(bugprone-macro-parentheses)
