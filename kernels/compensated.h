@@ -84,10 +84,10 @@ static inline void sum_twofold_product(Sum* s, Twofold a, Twofold b)
 static inline Twofold twofold_difference_of_products(real a, real b, real c, real d)
 {
     const real p = a * b, q = c * d;
-    Twofold t;
-    t.hi = p - q;
-    t.lo = difference_error(p, q) + (fma(a, b, -p) - fma(c, d, -q));
-    return t;
+    Sum s;
+    s.sum = p - q;
+    s.error = difference_error(p, q) + (fma(a, b, -p) - fma(c, d, -q));
+    return sum_twofold(s);
 }
 
 /* a / b, to about two units. */

@@ -67,8 +67,8 @@ bool append_torus(const Primitive<W>& torus, std::size_t i, const Wide3<W>& o, c
     return sure;
 }
 
-/// What is left of a torus's quartic where the ray leaves it at o. False where the line comes within rounding of it
-/// elsewhere.
+/// What is left of a torus's quartic where the ray leaves it at o. False where the line turns within rounding of it
+/// further on.
 template <typename W>
 bool append_deflated_torus(const Primitive<W>& torus, std::size_t i, const Wide3<W>& o, const Wide3<W>& d, W rounding,
                            std::vector<MemberRoot<W>>& out)
@@ -77,14 +77,20 @@ bool append_deflated_torus(const Primitive<W>& torus, std::size_t i, const Wide3
     const std::vector<W> quartic = torus.torus_quartic(o, d), cubic(quartic.begin() + 1, quartic.end());
     const std::vector<W> twins = sign_changes(quartic, -far, far);
     for (const W& t : sign_changes(cubic, W(0), far)) {
-        W twin = t;
-        for (const W& s : twins)
-            if (magnitude(s - t) < magnitude(twin - t) || twin == t) twin = s;
+        W twin = t, apart = t / 2;
+        for (const W& s : twins) {
+            if (magnitude(s - t) > apart) continue;
+            apart = magnitude(s - t);
+            twin = s;
+        }
         out.push_back({t, twin, torus.slope(along(o, d, twin), d), i, false});
     }
-    bool sure = true;
-    for (const W& t : sign_changes(derivative(quartic), -far, far))
-        sure = sure && (magnitude(t) < W(0.01L) * size || magnitude(torus.value(along(o, d, t))) > rounding * size);
+    // On its way to the first turn the line is on its own side, however near to the surface.
+    bool sure = true, first = true;
+    for (const W& t : sign_changes(derivative(quartic), W(0), far)) {
+        sure = sure && (first || magnitude(torus.value(along(o, d, t))) > rounding * size);
+        first = false;
+    }
     return sure;
 }
 

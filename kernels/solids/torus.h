@@ -194,8 +194,9 @@ static inline real torus_end(const TorusLine* l, const Line* line, real t, real*
     const real distance = torus_distance(l, t, R(1), &rise);
     *slope = R(1) / fabs(rise);
     if (l->left && t == l->start) return line->start;
-    /* Far from where the ray has left, the distance is sharper than what deflation leaves. */
-    if (l->left && t - l->start > l->minor && fabs(rise) > R(0.0625f)) t -= distance / rise;
+    /* Far from where the ray has left, the distance is sharper than what deflation leaves; a step along its slope is
+     * right where it is so short that the slope stays. */
+    if (l->left && t - l->start > l->minor && fabs(distance) < R(0.25f) * rise * rise * l->minor) t -= distance / rise;
     return t + l->shift;
 }
 
