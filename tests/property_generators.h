@@ -3,6 +3,7 @@
 #pragma once
 
 #include "property_maps.h"
+#include "quadric_of.h"
 
 #include "scene/write.h"
 
@@ -85,7 +86,31 @@ inline SolidPtr ellipsoid(Vec3 center, Vec3 axis, int degrees, double x, double 
     return solid(scene::Transformed{scene::Move{center}, turned});
 }
 
-/// Every primitive. The torus and the free quadric belong here.
+/// Turned by any angle about any axis, of any kind but planes.
+inline SolidPtr free_quadric(Vec3 center, Vec3 axis, int degrees, Vec3 sizes, int kind)
+{
+    static constexpr std::array<std::array<Vec3, 2>, 9> terms{{{{{1, 1, 1}, {}}},
+                                                               {{{1, 1, -1}, {}}},
+                                                               {{{1, 1, -1}, {}}},
+                                                               {{{1, 1, -1}, {}}},
+                                                               {{{1, 1, 0}, {0, 0, -1}}},
+                                                               {{{1, -1, 0}, {0, 0, -1}}},
+                                                               {{{1, 1, 0}, {}}},
+                                                               {{{1, -1, 0}, {}}},
+                                                               {{{1, 0, 0}, {0, 0, -1}}}}};
+    static constexpr std::array<double, 9> constant{-1, -1, 1, 0, 0, 0, -1, 1, 0};
+    scene::Mat3 m = scene::rotation(axis, degrees);
+    m.rows = {m.rows[0] * (1 / sizes.x), m.rows[1] * (1 / sizes.y), m.rows[2] * (1 / sizes.z)};
+    const auto k = static_cast<std::size_t>(kind);
+    return quadric_of(m, center, terms[k][0], terms[k][1], constant[k]);
+}
+
+inline SolidPtr torus(Vec3 center, Vec3 axis, double size, double part)
+{
+    return solid(scene::Torus{center, axis, size, size * part});
+}
+
+/// Every primitive.
 inline Gen<SolidPtr> primitive()
 {
     const auto sized_arrow = gen::apply([](Vec3 v, double s) { return scene::unit(v) * s; }, arrow(), size());
@@ -96,7 +121,11 @@ inline Gen<SolidPtr> primitive()
         node<scene::Cylinder>(place(), sized_arrow), node<scene::Cone>(place(), sized_arrow),
         node<scene::Paraboloid>(place(), sized_arrow), node<scene::Hyperboloid>(place(), sized_arrow, size()),
         node<scene::Saddle>(place(), sized_arrow, across), node<scene::Cuboid>(place(), arrow(), across, sizes),
-        gen::apply(ellipsoid, place(), arrow(), whole(180), size(), size(), size()));
+        gen::apply(ellipsoid, place(), arrow(), whole(180), size(), size(), size()),
+        gen::apply(torus, place(), arrow(), size(),
+                   gen::map(whole(3), [](int k) { return k > 0 ? k / 4.0 : std::exp2(k - 1); })),
+        gen::apply(free_quadric, place(), arrow(), whole(180), sizes,
+                   gen::resize(rc::kNominalSize, gen::inRange(0, 9))));
 }
 
 /// Boolean trees of at most this depth.

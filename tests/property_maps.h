@@ -65,14 +65,14 @@ struct Mapper {
     {
         return solid(scene::Torus{by.point(s.center), by.direction(s.axis), s.major * by.length, s.minor * by.length});
     }
-    SolidPtr operator()(const scene::FreeQuadric& s) const // of x / length, or of -x
+    SolidPtr operator()(const scene::FreeQuadric& s) const
     {
-        scene::FreeQuadric out = s;
-        for (std::size_t i = 6; i < 9; i++) out.q[i] *= by.length;
-        out.q[9] *= by.length * by.length;
+        scene::FreeQuadric image = s;
         if (by.mirror)
-            for (const std::size_t i : {3U, 4U, 6U}) out.q[i] = -out.q[i];
-        return solid(out);
+            for (const std::size_t i : {3U, 4U, 6U}) image.q[i] = -image.q[i]; // x y, x z, x
+        for (std::size_t i = 6; i < 9; i++) image.q[i] *= by.length;
+        image.q[9] *= by.length * by.length;
+        return solid(image);
     }
     SolidPtr operator()(const scene::Complement& s) const { return complement(mapped(s.of, by)); }
     SolidPtr operator()(const scene::Intersection& s) const { return solid(scene::Intersection{all(s.of)}); }

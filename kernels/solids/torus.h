@@ -71,7 +71,8 @@ static inline int torus_line(__global const LayoutTorus* torus, const Line* line
             l->bend = R(0);
         }
         if (sqrt(least) * l->dd < l->major * a) {
-            const real rho = cbrt(l->major * a * least / l->dd);
+            const real rho =
+                l->major * cbrt(a * (least / square(l->major)) / l->dd); /* a pure number's, at any scale */
             l->width = sqrt(fmax(rho * rho - least, R(0)) / a);
         }
     }
@@ -103,11 +104,12 @@ static inline real torus_distance(const TorusLine* l, real t, real way, real* sl
     return w - l->minor;
 }
 
-/* g and its derivative. Where the ray has left the torus, g is 0 by definition, and the factor t - start is taken out:
+/* g and its derivative. Where the ray has left the torus, g is 0 by definition, and near there the factor t - start is
+ * taken out; further off the distance is sharper:
  * g / (t - start) = 2 o.d + (t - start) |d|^2 - 2 R (rho^2 - rho_start^2) / (t - start) / (rho + rho_start). */
 static inline real torus_value(const TorusLine* l, real t, real way, real* slope)
 {
-    if (!l->left) {
+    if (!l->left || t - l->start > l->minor) {
         const real distance = torus_distance(l, t, way, slope);
         *slope *= R(2) * (distance + l->minor);
         return distance * (distance + R(2) * l->minor);
@@ -191,12 +193,9 @@ static inline real torus_end(const TorusLine* l, const Line* line, real t, real*
 {
     if (!is_finite(t)) return t;
     real rise;
-    const real distance = torus_distance(l, t, R(1), &rise);
+    torus_distance(l, t, R(1), &rise);
     *slope = R(1) / fabs(rise);
     if (l->left && t == l->start) return line->start;
-    /* Far from where the ray has left, the distance is sharper than what deflation leaves; a step along its slope is
-     * right where it is so short that the slope stays. */
-    if (l->left && t - l->start > l->minor && fabs(distance) < R(0.25f) * rise * rise * l->minor) t -= distance / rise;
     return t + l->shift;
 }
 
