@@ -9,7 +9,7 @@ target_compile_definitions(native_scene PRIVATE CLUCIDA_TEST_PROBE="${CMAKE_CURR
 # program that takes seconds to build.
 function(clucida_kernel_test name)
   add_executable(${name} ${name}.cpp)
-  target_link_libraries(${name} PRIVATE native_scene clucida_warnings GTest::gtest GTest::gtest_main)
+  target_link_libraries(${name} PRIVATE native_scene ${ARGN} clucida_warnings GTest::gtest GTest::gtest_main)
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 TEST_FILTER "-*OnDevice.*")
   add_test(NAME ${name}_on_device COMMAND ${name} --gtest_filter=*OnDevice.*)
   set_tests_properties(${name}_on_device PROPERTIES TIMEOUT 1200)
@@ -53,5 +53,8 @@ foreach(primitive plane sphere cylinder cone paraboloid hyperboloid saddle cuboi
                        many_rays_${primitive}_judged_in_113_bits PROPERTIES PROCESSORS 2 TIMEOUT 900)
 endforeach()
 
+# A launch a ray: on the device fewer cases.
 find_package(rapidcheck REQUIRED)
-clucida_test(test_properties test_properties.cpp LIBS native_scene rapidcheck)
+clucida_kernel_test(test_properties rapidcheck)
+set_tests_properties(test_properties_on_device PROPERTIES
+                     ENVIRONMENT "RC_PARAMS=seed=20160729 max_success=200 max_discard_ratio=50")
