@@ -44,8 +44,7 @@ __kernel void probe_surface(SCENE_PARAMETERS, __global const real* restrict numb
     const Ray ray = probe_ray(numbers + 7 * item, marks + 4 * item);
     Interior interior, beyond;
     interior.count = beyond.count = 0;
-    for (uint i = 0; i < marks[4 * item + 3]; i++)
-        interior_toggle(&world, &interior, inside[marks[4 * item + 2] + i]);
+    for (uint i = 0; i < marks[4 * item + 3]; i++) interior_toggle(&world, &interior, inside[marks[4 * item + 2] + i]);
     Surface s;
     __global uint* out = answer_marks + 6 * item;
     out[0] = (uint)next_surface(&world, &ray, &interior, &beyond, &s);

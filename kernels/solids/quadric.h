@@ -110,9 +110,9 @@ static inline real quadric_deflated(__global const LayoutQuadric* q, const Line*
     return leading.hi == R(0) ? R(0) : twofold_ratio(twofold_scaled(sum_twofold(b), R(-2)), leading);
 }
 
-/* The span where the ray has just left the quadric, from what the line has of it. An end ahead is where the start's being
- * on it puts it, by deflation; but from far off, unless rounding blurs that too much for the chord's length, where the
- * line meets the quadric. */
+/* The span where the ray has just left the quadric, from what the line has of it. An end ahead is where the start's
+ * being on it puts it, by deflation; but from far off, unless rounding blurs that too much for the chord's length,
+ * where the line meets the quadric. */
 static inline Span quadric_span_left(__global const LayoutQuadric* q, const Line* line, real a, Span span)
 {
     const real start = line->start;
