@@ -1,6 +1,8 @@
 #include "bench/kernel_error.h"
 
+#include "host/compare.h"
 #include "host/errors.h"
+#include "host/signatures.h"
 #include "scene/linear.h"
 
 #include <fmt/format.h>
@@ -19,30 +21,26 @@ using Vector = std::array<Real, 3>;
 constexpr unsigned columns = 96, rows = 54, steps = 6;
 constexpr double unit = 0x1p-24;
 
-struct Vec2u {
-    cl_uint x = 0, y = 0;
-};
-
 /// A ray of the kernels, and what it met.
 struct Record {
     std::array<double, 3> o{}, d{}, p{};
     u32 found = 0, object = 0, face = 0; ///< found: 0 not traced, 1 nothing met, 2 met
 };
 
-std::vector<Vec2u> grid(const host::Shape& picture)
+std::vector<host::Pixel> grid(const host::Shape& picture)
 {
     const unsigned w = std::min<unsigned>(columns, static_cast<unsigned>(picture.width));
     const unsigned h = std::min<unsigned>(rows, static_cast<unsigned>(picture.height));
-    std::vector<Vec2u> out;
+    std::vector<host::Pixel> out;
     for (unsigned j = 0; j < h; j++)
         for (unsigned i = 0; i < w; i++)
-            out.push_back({static_cast<cl_uint>(std::size_t{i} * picture.width / w),
-                           static_cast<cl_uint>(std::size_t{j} * picture.height / h)});
+            out.push_back({static_cast<unsigned>(std::size_t{i} * picture.width / w),
+                           static_cast<unsigned>(std::size_t{j} * picture.height / h)});
     return out;
 }
 
 template <typename T>
-std::vector<Record> launch(host::Renderer& renderer, cl::Kernel& kernel, std::vector<Vec2u> pixels)
+std::vector<Record> launch(host::Renderer& renderer, cl::Kernel& kernel, std::vector<host::Pixel> pixels)
 {
     const std::size_t records = pixels.size() * steps;
     std::vector<T> numbers(9 * records);
@@ -86,7 +84,7 @@ std::vector<Record> trace_records(host::Renderer& renderer, const scene::Compile
         cl::Kernel kernel(program.handle, "intersect");
         const host::DeviceBuffers buffers = host::upload(renderer, compiled.buffers);
         for (cl_uint i = 0; i < BUFFER_COUNT; ++i) kernel.setArg(i, buffers[i]);
-        const std::vector<Vec2u> pixels = grid(settings.picture);
+        const std::vector<host::Pixel> pixels = grid(settings.picture);
         return settings.precision == host::Precision::twofold ? launch<cl_double>(renderer, kernel, pixels)
                                                               : launch<cl_float>(renderer, kernel, pixels);
     } catch (const cl::Error& e) {
@@ -151,14 +149,6 @@ struct Judge {
     }
 };
 
-double rank(std::vector<double>& values, double share)
-{
-    const auto place = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
-    const auto at = values.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(place, 1) - 1);
-    std::nth_element(values.begin(), at, values.end());
-    return *at;
-}
-
 } // namespace
 
 KernelError measure_kernel_error(host::Renderer& renderer, const scene::Scene& scene, const scene::Compiled& compiled,
@@ -188,8 +178,8 @@ KernelError measure_kernel_error(host::Renderer& renderer, const scene::Scene& s
     out.rays = errors.size();
     std::erase(errors, HUGE_VAL);
     if (errors.empty()) return out;
-    out.p50 = rank(errors, 0.5);
-    out.p999 = rank(errors, 0.999);
+    out.p50 = host::percentile(errors, 0.5);
+    out.p999 = host::percentile(errors, 0.999);
     out.worst = *std::max_element(errors.begin(), errors.end());
     return out;
 }

@@ -1,6 +1,7 @@
 #include "bench/measure_error.h"
 
 #include "bench/flips.h"
+#include "bench/median.h"
 #include "bench/variants.h"
 #include "host/errors.h"
 #include "host/flip.h"
@@ -49,12 +50,6 @@ host::RenderSettings render_settings(const ErrorSettings& settings, const Conten
     out.precision = contender.precision;
     out.kernels = variant_kernels(contender.variant);
     return out;
-}
-
-double median(std::vector<double> values)
-{
-    std::ranges::sort(values);
-    return values[values.size() / 2];
 }
 
 /// Renders the picture some times, and readies the tracing of paths.
@@ -132,9 +127,12 @@ void judge(std::span<const oracle::Pixel> pixels, const Judgement& by, std::span
     const auto differences = [&](std::size_t contender, std::size_t i) {
         return divergences(by.names.kernel(paths[contender][i].log), by.names.oracle(truth[i].events));
     };
+    const auto is_full = [&](std::size_t contender) {
+        return field[contender]->report.contender.variant == full_variant;
+    };
     for (std::size_t c = 0; c < field.size(); c++) {
         paths.push_back(whole_paths(*field[c], pixels));
-        if (field[c]->report.contender.variant != full_variant) continue; // others differ too often to ask for each
+        if (!is_full(c)) continue; // others differ too often to ask for each
         for (std::size_t i = 0; i < pixels.size(); i++)
             if (!is_near(paths[c][i], truth[i]) || !differences(c, i).empty()) doubtful.insert(i);
     }
@@ -148,6 +146,7 @@ void judge(std::span<const oracle::Pixel> pixels, const Judgement& by, std::span
         set_pixel(truth_picture, pixels[i], truth[i].rgb);
         for (std::size_t c = 0; c < field.size(); c++) {
             set_pixel(field[c]->report.picture, pixels[i], paths[c][i].rgb);
+            if (is_full(c) && !doubtful.contains(i)) continue; // known to agree
             std::vector<Divergence> found = differences(c, i);
             if (!found.empty()) field[c]->flips.push_back({pixels[i], std::move(found)});
         }
@@ -212,7 +211,7 @@ void measure_costs(SceneError& out, const host::SceneSource& source, const scene
         return host::render_frame(contest.renderer, compile_scene(source, v), contest.settings, {{}, host::interrupted})
             .picture;
     };
-    const host::Picture as_is = picture(view);
+    const host::Picture& as_is = contest.report.picture;
     scene::View other = view;
     other.cutoff = source.scene.settings.cutoff / less_cutoff;
     out.cutoff = cost_of(as_is, picture(other));

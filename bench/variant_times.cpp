@@ -4,6 +4,7 @@
 /// The variants take turns, and each is rendered once before, so that compilation counts for nothing. On a machine that
 /// others use too the processor's time, of all threads, says more than the clock: --clock asks for that.
 
+#include "bench/median.h"
 #include "bench/variants.h"
 #include "host/arguments.h"
 #include "host/devices.h"
@@ -62,13 +63,6 @@ void render(Contender& c, const scene::Compiled& compiled, bool clock)
     const double spent = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
     c.seconds.push_back(clock ? frame.timings.trace : spent);
     c.faults = frame.statistics.parity;
-}
-
-double median(std::vector<double> values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 /// The median of what each round gives: a round is short, so what slows the machine slows all of it.

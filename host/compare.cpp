@@ -17,7 +17,8 @@ double difference(float a, float b)
     return a == b ? 0 : std::fabs(double{a} - double{b});
 }
 
-/// The least of the values that a share of them does not exceed; reorders them. Nearest rank: no interpolation.
+} // namespace
+
 double percentile(std::vector<double>& values, double share)
 {
     if (values.empty()) return 0;
@@ -26,8 +27,6 @@ double percentile(std::vector<double>& values, double share)
     std::nth_element(values.begin(), place, values.end());
     return *place;
 }
-
-} // namespace
 
 void require_same_size(const Picture& a, const Picture& b)
 {

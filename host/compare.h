@@ -5,8 +5,13 @@
 #include "host/plane.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace clucida::host {
+
+/// The least of the values that a share of them does not exceed; reorders them. Nearest rank: no interpolation. 0 if
+/// there are none.
+double percentile(std::vector<double>& values, double share);
 
 struct Comparison {
     std::uint64_t pixels = 0;

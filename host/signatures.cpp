@@ -14,8 +14,9 @@ constexpr std::size_t stats_count = std::size_t{STAT_SLOTS} * STAT_COUNT;
 constexpr std::size_t most_events = std::size_t{1} << 22; ///< of a launch: 80 MiB
 constexpr std::size_t most_pixels = std::size_t{1} << 14; ///< likewise
 
-struct Vec2u {
-    cl_uint x = 0, y = 0;
+/// Of a path, as the kernel writes it: a uint2.
+struct Signature {
+    cl_uint events = 0, hash = 0;
 };
 
 void trace_batch(PathTracer& t, std::span<const Pixel> pixels, unsigned sample, unsigned capacity,
@@ -24,12 +25,11 @@ void trace_batch(PathTracer& t, std::span<const Pixel> pixels, unsigned sample, 
     const std::size_t count = pixels.size(), events = std::max<std::size_t>(count * capacity, 1);
     const cl::Context& context = t.renderer.context;
     const cl::CommandQueue& queue = t.renderer.queue;
-    std::vector<Vec2u> places(count);
-    std::ranges::transform(pixels, places.begin(), [](Pixel p) { return Vec2u{p.x, p.y}; });
-    const cl::Buffer place_buffer(context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, count * sizeof(Vec2u),
+    std::vector<Pixel> places(pixels.begin(), pixels.end());
+    const cl::Buffer place_buffer(context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, count * sizeof(Pixel),
                                   places.data());
     const cl::Buffer colors(context, CL_MEM_WRITE_ONLY, count * 4 * sizeof(float));
-    const cl::Buffer signatures(context, CL_MEM_WRITE_ONLY, count * sizeof(Vec2u));
+    const cl::Buffer signatures(context, CL_MEM_WRITE_ONLY, count * sizeof(Signature));
     const cl::Buffer log(context, CL_MEM_WRITE_ONLY, events * sizeof(LayoutEvent));
     const cl::Buffer stats(context, CL_MEM_READ_WRITE, stats_count * sizeof(cl_uint));
     queue.enqueueFillBuffer<cl_uint>(stats, 0, 0, stats_count * sizeof(cl_uint));
@@ -47,21 +47,21 @@ void trace_batch(PathTracer& t, std::span<const Pixel> pixels, unsigned sample, 
     queue.enqueueNDRangeKernel(t.kernel, cl::NullRange, cl::NDRange(items), cl::NDRange(group_items));
 
     std::vector<float> rgba(count * 4);
-    std::vector<Vec2u> found(count);
+    std::vector<Signature> found(count);
     std::vector<LayoutEvent> found_events(capacity ? events : 0);
     std::vector<std::uint32_t> rows(stats_count);
     queue.enqueueReadBuffer(colors, CL_TRUE, 0, rgba.size() * sizeof(float), rgba.data());
-    queue.enqueueReadBuffer(signatures, CL_TRUE, 0, found.size() * sizeof(Vec2u), found.data());
+    queue.enqueueReadBuffer(signatures, CL_TRUE, 0, found.size() * sizeof(Signature), found.data());
     queue.enqueueReadBuffer(stats, CL_TRUE, 0, rows.size() * sizeof(cl_uint), rows.data());
     if (capacity)
         queue.enqueueReadBuffer(log, CL_TRUE, 0, found_events.size() * sizeof(LayoutEvent), found_events.data());
     add_rows(statistics, rows);
     for (std::size_t i = 0; i < count; ++i) {
         std::copy_n(rgba.begin() + static_cast<std::ptrdiff_t>(4 * i), 3, out[i].rgb.begin());
-        out[i].events = found[i].x;
-        out[i].hash = found[i].y;
+        out[i].events = found[i].events;
+        out[i].hash = found[i].hash;
         const auto first = found_events.begin() + static_cast<std::ptrdiff_t>(i * capacity);
-        out[i].log.assign(first, first + std::min(found[i].x, capacity));
+        out[i].log.assign(first, first + std::min(found[i].events, capacity));
     }
 }
 

@@ -9,8 +9,9 @@
 
 namespace clucida::host {
 
+/// As kernels take it: a uint2.
 struct Pixel {
-    unsigned x = 0, y = 0;
+    cl_uint x = 0, y = 0;
 };
 
 /// One sample of one pixel.

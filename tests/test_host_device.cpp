@@ -1,4 +1,5 @@
 // What needs an OpenCL device. Without one these tests fail; they never skip.
+#include "glass_scene.h"
 #include "host/devices.h"
 #include "host/errors.h"
 #include "host/program.h"
@@ -14,19 +15,9 @@
 namespace clucida::host {
 namespace {
 
-constexpr const char* scene_text = R"(clucida 1
-observer { eye [0, -6, 2]; look [0, 0, 0.8]; fov 45 }
-sky gradient { low 0.2; middle 0.8; high [0.2, 0.4, 1] }
-light { point [5, -5, 8] }
-optics glass { reflection 0.1; refraction 0.9; index 1.5 }
-optics floor { reflection 0.2; absorption [0.6, 0.5, 0.4] }
-object ball { solid sphere([0, 0, 1], 1); optics glass }
-object ground { solid plane([0, 0, 0], [0, 0, 1]); optics floor }
-)";
-
 scene::Compiled compiled(Shape size, unsigned samples)
 {
-    const scene::Scene scene = scene::read_scene(scene_text, "test", scene::Format::clucida, ".");
+    const scene::Scene scene = scene::read_scene(test::glass_scene, "test", scene::Format::clucida, ".");
     scene::View view;
     view.width = size.width;
     view.height = size.height;

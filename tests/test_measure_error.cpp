@@ -1,5 +1,6 @@
 // The error that `clucida-bench error` reports, on scenes whose error is known. Needs an OpenCL device.
 #include "bench/measure_error.h"
+#include "glass_scene.h"
 #include "host/signatures.h"
 #include "scene/read.h"
 
@@ -7,16 +8,6 @@
 
 namespace clucida::bench {
 namespace {
-
-constexpr const char* glass = R"(clucida 1
-observer { eye [0, -6, 2]; look [0, 0, 0.8]; fov 45 }
-sky gradient { low 0.2; middle 0.8; high [0.2, 0.4, 1] }
-light { point [5, -5, 8] }
-optics glass { reflection 0.1; refraction 0.9; index 1.5 }
-optics floor { reflection 0.2; absorption [0.6, 0.5, 0.4] }
-object ball { solid sphere([0, 0, 1], 1); optics glass }
-object ground { solid plane([0, 0, 0], [0, 0, 1]); optics floor }
-)";
 
 host::SceneSource source_of(const std::string& text)
 {
@@ -43,7 +34,7 @@ TEST(MeasureError, TheKernelsAgreeWithTheOracleOnGlassUpToRounding)
 {
     ErrorSettings settings = small();
     settings.contenders = {{host::Precision::single, "full"}, {host::Precision::twofold, "full"}};
-    const SceneError e = measure_error(source_of(glass), device(), settings, {});
+    const SceneError e = measure_error(source_of(test::glass_scene), device(), settings, {});
     ASSERT_EQ(e.reports.size(), 2U);
     for (const ErrorReport& r : e.reports) {
         EXPECT_EQ(r.pixels, 48U * 27U);
@@ -105,7 +96,7 @@ protected:
         host::Statistics statistics;
         return host::trace_paths(tracer, pixels, 0, capacity, statistics);
     }
-    host::SceneSource source = source_of(glass);
+    host::SceneSource source = source_of(test::glass_scene);
     scene::View view;
     scene::Compiled compiled;
     host::RenderSettings settings;

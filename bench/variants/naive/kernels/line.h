@@ -1,4 +1,4 @@
-/* The naive variant: a ray in an object's coordinates starts where it starts. */
+/* The naive and the re-origined variant: a ray in an object's coordinates. Where it starts, approach.h says. */
 #ifndef CLUCIDA_LINE_H
 #define CLUCIDA_LINE_H
 
@@ -20,6 +20,8 @@ typedef struct {
     u32 face;
 } Crossing;
 
+#include "kernels/approach.h"
+
 static inline Line make_line(const Ray* ray, __global const LayoutObject* object)
 {
     Line line;
@@ -30,6 +32,7 @@ static inline Line make_line(const Ray* ray, __global const LayoutObject* object
     line.excess = ray->excess;
     line.left = ray->left;
     line.left_inside = ray->left_inside;
+    approach(&line, object);
     return line;
 }
 
