@@ -152,6 +152,19 @@ Box revolution_bound(const Quadric& q, const Planes& planes)
     return around(middle, {half(r.axis.x), half(r.axis.y), half(r.axis.z)});
 }
 
+/// The part of a paraboloid that a cylinder along its axis cuts out.
+Box dish_bound(const Quadric& dish, const Quadric& tube)
+{
+    const Quadric::Revolution &r = *dish.revolution, &t = *tube.revolution;
+    if (!(r.focus > 0) || t.focus > 0 || t.slope > 0 || length(cross(r.axis, t.axis)) > 1e-12) return {};
+    const double radius = length(cross(tube.c - dish.c, r.axis)) + t.r0;
+    const double height = radius * radius / (4 * r.focus);
+    const auto half = [&](double a) {
+        return std::fabs(a) * height / 2 + radius * std::sqrt(std::max(0.0, 1 - a * a));
+    };
+    return around(dish.c + r.axis * (height / 2), {half(r.axis.x), half(r.axis.y), half(r.axis.z)});
+}
+
 Bound ellipsoid_bound(const Quadric& q)
 {
     if (q.s != Vec3{1, 1, 1} || q.g != 0) return {};
@@ -180,7 +193,13 @@ Bound intersection_bound(const std::vector<const Group*>& groups)
     for (const Group* group : groups)
         for (const Member& member : group->members)
             if (const auto* plane = std::get_if<HalfSpace>(&member)) planes.push_back(*plane);
+    std::vector<const Quadric*> revolved;
+    for (const Group* group : groups)
+        for (const Member& member : group->members)
+            if (const auto* q = std::get_if<Quadric>(&member); q && q->revolution) revolved.push_back(q);
     Bound bound = polyhedron_bound(planes);
+    for (const Quadric* dish : revolved)
+        for (const Quadric* tube : revolved) cut(bound, {dish_bound(*dish, *tube), {}});
     for (const Group* group : groups) {
         for (const Member& member : group->members) {
             if (const auto* ball = std::get_if<Ball>(&member)) {

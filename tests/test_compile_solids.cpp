@@ -245,15 +245,30 @@ TEST(CompileSolids, SolidsThatEndHaveAFiniteBound)
               2 * std::sqrt(3));
 }
 
+TEST(CompileSolids, AParaboloidEndsWithACylinderAlongItsAxis)
+{
+    const SolidPtr dish = solid(scene::Paraboloid{{0, 0, 0}, {0, .25, 0}}); // y > x^2 + z^2
+    const auto cut = [&](Vec3 point, Vec3 axis) {
+        return scene::bounding_sphere(scene::normal_form(*both({dish, solid(scene::Cylinder{point, axis})})));
+    };
+    const scene::BoundingSphere bound = cut({.5, -7, 0}, {0, -.5, 0});
+    EXPECT_LT(bound.radius, std::sqrt(3));
+    for (const Vec3 p : {Vec3{1, 1, 0}, Vec3{.5, .5, .5}, Vec3{0, 0, 0}, Vec3{.5, 1, 0}})
+        EXPECT_LE(length(p - bound.center), bound.radius) << p.x;
+    EXPECT_FALSE(cut({0, 0, 0}, {0, 1, .01}).radius < scene::unbounded);
+}
+
 TEST(CompileSolids, SolidsWithoutEndHaveNoBound)
 {
     const SolidPtr slab = both({plane({0, 0, 1}, {0, 0, 1}), plane({0, 0, -1}, {0, 0, -1})});
-    for (const SolidPtr& s : {plane({0, 0, 0}, {0, 0, 1}), slab, cuboid({0, 0, 0}, {1, 1, 0}),
-                              complement(sphere({0, 0, 0}, 1)), solid(scene::Cylinder{{0, 0, 0}, {0, 0, 1}}),
-                              both({solid(scene::Cylinder{{0, 0, 0}, {0, 0, 1}}), plane({0, 0, 0}, {0, 0, 1})}),
-                              both({solid(scene::Cone{{0, 0, 0}, {0, 0, 1}}), plane({1, 0, 0}, {1, 0, 0})}),
-                              solid(scene::Union{{sphere({0, 0, 0}, 1), plane({0, 0, 0}, {0, 0, 1})}}),
-                              both({solid(scene::Paraboloid{{0, 0, 0}, {0, 0, 1}}), plane({1, 0, 0}, {1, 0, 0})})})
+    for (const SolidPtr& s :
+         {plane({0, 0, 0}, {0, 0, 1}), slab, cuboid({0, 0, 0}, {1, 1, 0}), complement(sphere({0, 0, 0}, 1)),
+          solid(scene::Cylinder{{0, 0, 0}, {0, 0, 1}}),
+          both({solid(scene::Cylinder{{0, 0, 0}, {0, 0, 1}}), plane({0, 0, 0}, {0, 0, 1})}),
+          both({solid(scene::Cone{{0, 0, 0}, {0, 0, 1}}), plane({1, 0, 0}, {1, 0, 0})}),
+          both({solid(scene::Cone{{0, 0, 0}, {0, 0, 1}}), solid(scene::Hyperboloid{{0, 0, 0}, {0, 0, 1}, 1})}),
+          solid(scene::Union{{sphere({0, 0, 0}, 1), plane({0, 0, 0}, {0, 0, 1})}}),
+          both({solid(scene::Paraboloid{{0, 0, 0}, {0, 0, 1}}), plane({1, 0, 0}, {1, 0, 0})})})
         EXPECT_FALSE(radius_of(s) < scene::unbounded);
 }
 
