@@ -58,12 +58,10 @@ typedef struct {
 } LayoutSphere;
 
 /* A quadric in a frame that makes its coefficients small whole numbers: with X = m (p - c),
- * q(X) = s0 X0^2 + s1 X1^2 + s2 X2^2 - 2 g X2 + w, inside where q < 0. cof is m's cofactor matrix, which transforms
- * moments (cross products) as m transforms directions. */
+ * q(X) = s0 X0^2 + s1 X1^2 + s2 X2^2 - 2 g X2 + w, inside where q < 0. */
 typedef struct {
     float c[3];
     float m[9];
-    float cof[9];
     float s[3];
     float g;
     float w;

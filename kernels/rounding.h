@@ -37,7 +37,7 @@ static inline real place_error(const Line* line, real x, real err)
  * doubt, is (t - x)/slope away from the surface. */
 static inline int passed(real t, real slope, real x, real doubt)
 {
-    return t <= x || (t < INFINITE && t - x <= slope * doubt);
+    return t - x <= slope * doubt && t < INFINITE;
 }
 
 /* Whether the member (whatever side of it is meant) is the primitive that the ray has just left. */

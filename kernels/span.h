@@ -34,28 +34,22 @@ static inline Span span_everything(void)
     return make_span(-INFINITE, INFINITE, R(0), 1);
 }
 
+/* The span of a primitive that the ray has just left and does not meet again: it starts or ends where the ray does. */
+static inline Span span_left(const Line* line)
+{
+    return line->left_inside ? make_span(line->start, INFINITE, R(0), 1) : make_span(-INFINITE, line->start, R(0), 1);
+}
+
 #define LEAST_CHORD 1e-30f
 
-/* The span of a primitive that the ray has just left: one end is where the ray starts, exactly; the other lies at `end`
- * and has the slope. a is the leading coefficient, which tells whether the inside lies between the roots (> 0), outside
- * them (< 0), or whether there is one root only. */
-static inline Span span_left(const Line* line, real a, real end, real slope)
+/* The span of a primitive that the ray has just left and meets again at `end`, at this slope. */
+static inline Span span_chord(const Line* line, real end, real slope)
 {
-    const real start = line->start;
-    const int ahead = (a > R(0)) == (line->left_inside != 0);
-    Span s;
-    if (a == R(0))
-        return line->left_inside ? make_span(start, INFINITE, slope, 1) : make_span(-INFINITE, start, slope, 1);
     /* However short, the chord has a length: on its way the ray is on the side that it went to. */
-    const real least = fma(R(4) * UNIT_ROUNDOFF, fabs(start), R(LEAST_CHORD));
-    end = ahead ? larger(end, start + least) : smaller(end, start - least);
-    s = ahead ? make_span(start, end, slope, a > R(0)) : make_span(end, start, slope, a > R(0));
+    const real start = line->start, least = fma(R(4) * UNIT_ROUNDOFF, fabs(start), R(LEAST_CHORD));
+    Span s = make_span(start, larger(end, start + least), slope, line->left_inside);
     /* Rounding blurs the end, but not as far as the start: never mistake it for that. */
-    const real cap = R(0.25f) * fabs(end - start) / place_error(line, start, line->err);
-    if (ahead)
-        s.slope_hi = smaller(slope, cap);
-    else
-        s.slope_lo = smaller(slope, cap);
+    s.slope_hi = smaller(slope, R(0.25f) * (s.hi - start) / place_error(line, start, line->err));
     return s;
 }
 

@@ -132,7 +132,7 @@ static inline rgb absorbed(World* world, const Surface* s, rgb filter, u32* lit)
         const vec to_light = sub(load_vec(world->lights[i].point), s->p);
         const real distance = sqrt(dot3(to_light, to_light));
         if (!(distance > R(0))) continue;
-        shadow.d = renormalized(scaled(to_light, R(1) / distance));
+        shadow.d = scaled(to_light, R(1) / distance);
         shadow.excess = length_excess(shadow.d);
         const real cosine = dot3(s->n, shadow.d);
         if (!(cosine > R(0)) || is_hidden(world, &shadow, distance)) continue;

@@ -61,11 +61,6 @@ static inline vec cross_exact(vec a, vec b)
                     difference_of_products(a.x, b.y, a.y, b.x));
 }
 
-static inline vec cross3(vec a, vec b)
-{
-    return make_vec(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
-}
-
 /* The product of a row-major 3x3 matrix, or of its transpose, and a vector. */
 static inline vec apply(__global const float* m, vec v)
 {

@@ -188,14 +188,9 @@ private:
     u32 store_member(const Quadric& quadric)
     {
         LayoutQuadric q{};
-        const Mat3 m{{rounded(quadric.m.rows[0]), rounded(quadric.m.rows[1]), rounded(quadric.m.rows[2])}};
-        const Mat3 cof = cofactor(m); // of what is stored, so that moments and directions agree
         const Vec3 origin = frame_origin(quadric, center);
         store(q.c, origin - center);
-        for (std::size_t i = 0; i < 3; i++) {
-            store(q.m + 3 * i, m.rows[i]);
-            store(q.cof + 3 * i, cof.rows[i]);
-        }
+        for (std::size_t i = 0; i < 3; i++) store(q.m + 3 * i, quadric.m.rows[i]);
         store(q.s, quadric.s);
         q.g = static_cast<float>(quadric.g);
         q.w = static_cast<float>(quadric.w);

@@ -14,9 +14,9 @@ constexpr std::size_t words(std::size_t n)
 static_assert(sizeof(float) == words(1) && sizeof(u32) == words(1));
 static_assert(sizeof(LayoutPlane) == words(4) && offsetof(LayoutPlane, h) == words(3));
 static_assert(sizeof(LayoutSphere) == words(4) && offsetof(LayoutSphere, r) == words(3));
-static_assert(sizeof(LayoutQuadric) == words(26) && offsetof(LayoutQuadric, m) == words(3));
-static_assert(offsetof(LayoutQuadric, cof) == words(12) && offsetof(LayoutQuadric, s) == words(21));
-static_assert(offsetof(LayoutQuadric, g) == words(24) && offsetof(LayoutQuadric, w) == words(25));
+static_assert(sizeof(LayoutQuadric) == words(17) && offsetof(LayoutQuadric, m) == words(3));
+static_assert(offsetof(LayoutQuadric, s) == words(12));
+static_assert(offsetof(LayoutQuadric, g) == words(15) && offsetof(LayoutQuadric, w) == words(16));
 static_assert(sizeof(LayoutTorus) == words(8) && offsetof(LayoutTorus, major) == words(6));
 static_assert(sizeof(LayoutGroup) == words(3));
 static_assert(sizeof(LayoutObject) == words(12) && offsetof(LayoutObject, group_begin) == words(6));

@@ -227,23 +227,6 @@ TEST(CompileScene, AFarObjectKeepsItsPlaceToTheRoundingOfItsSize)
     }
 }
 
-TEST(CompileScene, AQuadricsCofactorsAreThoseOfTheMatrixThatIsStored)
-{
-    Random random(5);
-    for (int i = 0; i < 500; i++) {
-        const Vec3 axis = random_direction(random) * log_uniform(random, .01, 100);
-        Scene scene = empty_scene();
-        test::add(scene, solid(Transformed{Scale{{1, 2, .75}}, solid(Hyperboloid{{1, 2, 3}, axis, .3})}), clear());
-        const Native native(scene);
-        const LayoutQuadric& q = native.items<LayoutQuadric>(BUFFER_QUADRICS)[0];
-        const auto m = [&](int row, int column) { return static_cast<double>(q.m[3 * (row % 3) + column % 3]); };
-        for (int r = 0; r < 3; r++)
-            for (int c = 0; c < 3; c++)
-                ASSERT_FLOAT_EQ(q.cof[3 * r + c], static_cast<float>(m(r + 1, c + 1) * m(r + 2, c + 2) -
-                                                                     m(r + 1, c + 2) * m(r + 2, c + 1)));
-    }
-}
-
 TEST(CompileScene, AViewReplacesHopsAndCutoff)
 {
     Scene scene = empty_scene();

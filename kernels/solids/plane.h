@@ -6,9 +6,9 @@
 
 static inline Span plane_span(__global const LayoutPlane* plane, const Line* line, int left)
 {
+    if (left) return span_left(line);
     const vec n = load_vec(plane->n);
     const real nd = dot3(n, line->d);
-    if (left) return span_left(line, R(0), R(0), R(0));
     const real height = dot3(n, line->base) - R(plane->h);
     if (nd == R(0)) return height < R(0) ? span_everything() : span_nothing();
     /* -height / nd, of whose quotient a step of Newton's makes up for what the reciprocal has lost. */

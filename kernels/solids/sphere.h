@@ -10,8 +10,9 @@ static inline Span sphere_span(__global const LayoutSphere* sphere, const Line* 
     const vec c = load_vec(sphere->c);
     const real r = R(sphere->r);
     if (left) {
+        if (!line->left_inside) return span_left(line);
         const real b = dot_exact(sub(line->origin, c), line->d), chord = R(-2) * b;
-        return span_left(line, R(1), line->start + over_square(chord, line->excess), r / fabs(b));
+        return span_chord(line, line->start + over_square(chord, line->excess), r / fabs(b));
     }
     const vec o = sub(line->base, c);
     const vec k = cross_exact(o, line->d);

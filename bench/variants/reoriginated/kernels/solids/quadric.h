@@ -3,6 +3,7 @@
 #ifndef CLUCIDA_QUADRIC_H
 #define CLUCIDA_QUADRIC_H
 
+#include "kernels/cross.h"
 #include "kernels/span.h"
 
 static inline real quadric_discriminant(__global const LayoutQuadric* q, vec d, vec k, real a)
@@ -16,11 +17,11 @@ static inline Span quadric_span(__global const LayoutQuadric* q, const Line* lin
 {
     const vec o = sub(line->base, load_vec(q->c)), d = apply(q->m, line->d);
     const vec s = load_vec(q->s), sd = make_vec(s.x * d.x, s.y * d.y, s.z * d.z);
-    const vec k = apply(q->cof, cross3(o, line->d));
+    const vec y = apply(q->m, o), k = cross3(y, d);
     const real g = R(q->g), a = dot3(sd, d), dd = dot3(d, d);
     (void)left;
 
-    const real nearest = -dot3(apply(q->m, o), d) / dd;
+    const real nearest = -dot3(y, d) / dd;
     const vec x = scaled(cross3(d, k), R(1) / dd);
     const real b = dot3(sd, x) - g * d.z; /* half of the textbooks' b */
     const real c = R(q->s[0]) * x.x * x.x + R(q->s[1]) * x.y * x.y + (R(q->s[2]) * x.z - R(2) * g) * x.z + R(q->w);

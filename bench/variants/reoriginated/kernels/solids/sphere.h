@@ -2,6 +2,7 @@
 #ifndef CLUCIDA_SPHERE_H
 #define CLUCIDA_SPHERE_H
 
+#include "kernels/cross.h"
 #include "kernels/span.h"
 
 static inline Span sphere_span(__global const LayoutSphere* sphere, const Line* line, int left)
