@@ -34,7 +34,11 @@ static inline Span span_everything(void)
     return make_span(-INFINITE, INFINITE, R(0), 1);
 }
 
-#define LEAST_CHORD 1e-30f
+/* What a chord that begins at `start` measures at least: however short it is, it has a length. */
+static inline real least_chord(real start)
+{
+    return fma(R(4) * UNIT_ROUNDOFF, fabs(start), R(1e-30f));
+}
 
 /* The span of a primitive that the ray has just left: one end is where the ray starts, exactly; the other lies at `end`
  * and has the slope. a is the leading coefficient, which tells whether the inside lies between the roots (> 0), outside
@@ -46,8 +50,8 @@ static inline Span span_left(const Line* line, real a, real end, real slope)
     Span s;
     if (a == R(0))
         return line->left_inside ? make_span(start, INFINITE, slope, 1) : make_span(-INFINITE, start, slope, 1);
-    /* However short, the chord has a length: on its way the ray is on the side that it went to. */
-    const real least = fma(R(4) * UNIT_ROUNDOFF, fabs(start), R(LEAST_CHORD));
+    /* On its way the ray is on the side that it went to. */
+    const real least = least_chord(start);
     end = ahead ? larger(end, start + least) : smaller(end, start - least);
     s = ahead ? make_span(start, end, slope, a > R(0)) : make_span(end, start, slope, a > R(0));
     /* Rounding blurs the end, but not as far as the start: never mistake it for that. */
