@@ -41,6 +41,7 @@ Explained explain(const scene::Scene& scene, const oracle::Options& options, con
         out.seeds++;
         disturbed.disturbance = {out.seeds, flip_disturbance, out.seeds % 3 == 1, out.seeds % 3 == 2};
         std::vector<oracle::Pixel> pixels;
+        pixels.reserve(open.size());
         for (const Open& o : open) pixels.push_back(o.flip->pixel);
         const std::vector<oracle::Path> paths = make_truth(scene, disturbed, RealType::float64, threads)(pixels);
         for (std::size_t i = 0; i < open.size(); i++) {

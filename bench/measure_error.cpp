@@ -137,6 +137,7 @@ void judge(std::span<const oracle::Pixel> pixels, const Judgement& by, std::span
             if (!is_near(paths[c][i], truth[i]) || !differences(c, i).empty()) doubtful.insert(i);
     }
     std::vector<oracle::Pixel> asked;
+    asked.reserve(doubtful.size());
     for (const std::size_t i : doubtful) asked.push_back(pixels[i]);
     std::vector<oracle::Path> answers = by.sharper(asked);
     std::size_t next = 0;

@@ -31,8 +31,9 @@ void trace_batch(PathTracer& t, std::span<const Pixel> pixels, unsigned sample, 
     const cl::Buffer colors(context, CL_MEM_WRITE_ONLY, count * 4 * sizeof(float));
     const cl::Buffer signatures(context, CL_MEM_WRITE_ONLY, count * sizeof(Signature));
     const cl::Buffer log(context, CL_MEM_WRITE_ONLY, events * sizeof(LayoutEvent));
-    const cl::Buffer stats(context, CL_MEM_READ_WRITE, stats_count * sizeof(cl_uint));
-    queue.enqueueFillBuffer<cl_uint>(stats, 0, 0, stats_count * sizeof(cl_uint));
+    std::vector<std::uint32_t> rows(stats_count); // written, not filled: Oclgrind takes what is filled for unset
+    const cl::Buffer stats(context, CL_MEM_READ_WRITE | CL_MEM_COPY_HOST_PTR, rows.size() * sizeof(cl_uint),
+                           rows.data());
 
     cl_uint argument = BUFFER_COUNT;
     t.kernel.setArg(argument++, place_buffer);
@@ -49,7 +50,6 @@ void trace_batch(PathTracer& t, std::span<const Pixel> pixels, unsigned sample, 
     std::vector<float> rgba(count * 4);
     std::vector<Signature> found(count);
     std::vector<LayoutEvent> found_events(capacity ? events : 0);
-    std::vector<std::uint32_t> rows(stats_count);
     queue.enqueueReadBuffer(colors, CL_TRUE, 0, rgba.size() * sizeof(float), rgba.data());
     queue.enqueueReadBuffer(signatures, CL_TRUE, 0, found.size() * sizeof(Signature), found.data());
     queue.enqueueReadBuffer(stats, CL_TRUE, 0, rows.size() * sizeof(cl_uint), rows.data());

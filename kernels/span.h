@@ -40,14 +40,18 @@ static inline Span span_left(const Line* line)
     return line->left_inside ? make_span(line->start, INFINITE, R(0), 1) : make_span(-INFINITE, line->start, R(0), 1);
 }
 
-#define LEAST_CHORD 1e-30f
+/* What a chord that begins at `start` measures at least: however short it is, it has a length. */
+static inline real least_chord(real start)
+{
+    return fma(R(4) * UNIT_ROUNDOFF, fabs(start), R(1e-30f));
+}
 
 /* The span of a primitive that the ray has just left and meets again at `end`, at this slope. */
 static inline Span span_chord(const Line* line, real end, real slope)
 {
-    /* However short, the chord has a length: on its way the ray is on the side that it went to. */
-    const real start = line->start, least = fma(R(4) * UNIT_ROUNDOFF, fabs(start), R(LEAST_CHORD));
-    Span s = make_span(start, larger(end, start + least), slope, line->left_inside);
+    /* On its way the ray is on the side that it went to. */
+    const real start = line->start;
+    Span s = make_span(start, larger(end, start + least_chord(start)), slope, line->left_inside);
     /* Rounding blurs the end, but not as far as the start: never mistake it for that. */
     s.slope_hi = smaller(slope, R(0.25f) * (s.hi - start) / place_error(line, start, line->err));
     return s;

@@ -17,7 +17,7 @@ namespace clucida::test {
 namespace {
 
 constexpr double most_distance = 1e6; ///< in sizes: events beyond are not judged
-constexpr unsigned rays_of_a_solid = 1000;
+constexpr unsigned rays_of_a_solid = 1000, attempts_at_a_solid = 20 * rays_of_a_solid;
 constexpr std::size_t kept_cases = 3; ///< of each purpose
 
 /// What a ray is meant to try; broken bounds are counted for each.
@@ -90,7 +90,7 @@ public:
     {
     }
 
-    /// One ray to the solid, and two that leave where it meets it.
+    /// One ray to the solid, and two that leave where it meets it; none where none of the purpose can be made.
     void ray()
     {
         const auto die = random() % 10;
@@ -222,7 +222,7 @@ Tally try_kind(const Kind& kind, std::uint64_t rays, std::uint64_t seed, unsigne
             Random random(seed * 0x9e3779b97f4a7c15ULL + i);
             Trial<P> trial(random_solid(random, kind), kind.most_units, random, tally);
             const std::uint64_t enough = tally.rays + rays_of_a_solid;
-            for (unsigned k = 0; k < rays_of_a_solid && tally.rays < enough; k++) trial.ray();
+            for (unsigned k = 0; k < attempts_at_a_solid && tally.rays < enough; k++) trial.ray();
         }
         const std::scoped_lock lock(guard);
         all.add(tally);
@@ -290,7 +290,9 @@ int run(const Options& options)
             fmt::print(stderr, "{}: {} bounds broken by {} rays\n", kind.name, t.broken_by[i], purpose_names[i]);
             for (const auto& [badness, text] : t.cases[i]) fmt::print(stderr, "{}: {}\n", kind.name, text);
         }
-        right = right && t.broken() == 0 && t.hits > t.rays / 8;
+        if (t.rays < options.rays)
+            fmt::print(stderr, "{}: only {} of {} rays could be made\n", kind.name, t.rays, options.rays);
+        right = right && t.broken() == 0 && t.hits > t.rays / 8 && t.rays >= options.rays;
         report.push_back(to_json(kind.name, t));
     }
     if (!options.json.empty()) std::ofstream(options.json) << report.dump(1) << '\n';

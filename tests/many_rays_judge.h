@@ -74,9 +74,11 @@ bool append_deflated_torus(const Primitive<W>& torus, std::size_t i, const Wide3
                            std::vector<MemberRoot<W>>& out)
 {
     const W size = torus.major + torus.minor, far = 4 * size;
-    const std::vector<W> quartic = torus.torus_quartic(o, d), cubic(quartic.begin() + 1, quartic.end());
-    const std::vector<W> twins = sign_changes(quartic, -far, far);
-    for (const W& t : sign_changes(cubic, W(0), far)) {
+    const std::array<W, 5> quartic = torus.torus_quartic(o, d);
+    const std::array<W, 4> cubic{quartic[1], quartic[2], quartic[3], quartic[4]};
+    const Places<W> turns = sign_changes(derivative(quartic), -far, far), ahead = sign_changes(cubic, W(0), far);
+    const Places<W> twins = ahead.count > 0 ? sign_changes(quartic, turns, -far, far) : Places<W>{};
+    for (const W& t : ahead) {
         W twin = t, apart = t / 2;
         for (const W& s : twins) {
             if (magnitude(s - t) > apart) continue;
@@ -87,7 +89,8 @@ bool append_deflated_torus(const Primitive<W>& torus, std::size_t i, const Wide3
     }
     // On its way to the first turn the line is on its own side, however near to the surface.
     bool sure = true, first = true;
-    for (const W& t : sign_changes(derivative(quartic), W(0), far)) {
+    for (const W& t : turns) {
+        if (t <= 0) continue;
         sure = sure && (first || magnitude(torus.value(along(o, d, t))) > rounding * size);
         first = false;
     }

@@ -45,48 +45,88 @@ struct Parabola {
 };
 
 /// a[0] + a[1] t + ...
-template <typename W>
-W polynomial(const std::vector<W>& a, W t)
+template <typename W, std::size_t N>
+W polynomial(const std::array<W, N>& a, W t)
 {
     W sum = 0;
-    for (std::size_t i = a.size(); i-- > 0;) sum = sum * t + a[i];
+    for (std::size_t i = N; i-- > 0;) sum = sum * t + a[i];
     return sum;
 }
 
-template <typename W>
-std::vector<W> derivative(const std::vector<W>& a)
+template <typename W, std::size_t N>
+std::array<W, N - 1> derivative(const std::array<W, N>& a)
 {
-    std::vector<W> slope;
-    for (std::size_t i = 1; i < a.size(); i++) slope.push_back(a[i] * W(static_cast<int>(i)));
+    std::array<W, N - 1> slope;
+    for (std::size_t i = 1; i < N; i++) slope[i - 1] = a[i] * W(static_cast<int>(i));
     return slope;
 }
 
-/// The places between low and high where the polynomial changes its sign: between those where its derivative does, by
-/// bisection that Newton's method hastens.
+/// Places along a line, no more than a quartic has roots. No vector, for some tests ask for millions.
 template <typename W>
-std::vector<W> sign_changes(const std::vector<W>& a, W low, W high)
+struct Places {
+    std::array<W, 4> t{};
+    std::size_t count = 0;
+    void push(W place) { t[count++] = place; }
+    const W* begin() const { return t.data(); }
+    const W* end() const { return t.data() + count; }
+};
+
+/// Where a polynomial changes its sign, if it does so once between two places: Newton's method while its steps shrink
+/// to a half, else bisection, until rounding decides the value's sign.
+template <typename W, std::size_t N>
+W sign_change(const std::array<W, N>& a, W from, W to)
 {
-    const std::vector<W> slope = derivative(a);
-    std::vector<W> stops{low}, found;
-    if (slope.size() > 1)
-        for (const W& t : sign_changes(slope, low, high)) stops.push_back(t);
-    stops.push_back(high);
-    for (std::size_t i = 0; i + 1 < stops.size(); i++) {
-        W from = stops[i], to = stops[i + 1];
-        const bool rising = polynomial(a, from) < 0;
-        if (rising == (polynomial(a, to) < 0)) continue;
-        W t = (from + to) / 2;
-        for (int step = 0; step < 200 && from < t && t < to; step++) {
-            const W value = polynomial(a, t);
-            ((value < 0) == rising ? from : to) = t;
-            W next = t - value / polynomial(slope, t);
-            if (!(from < next && next < to) || step % 4 == 3) next = (from + to) / 2;
-            if (next == t) break;
-            t = next;
+    const W roundoff = std::is_same_v<W, Quad> ? 0x1p-113L : 0x1p-64L;
+    const bool rising = polynomial(a, from) < 0;
+    W t = (from + to) / 2, last = to - from;
+    for (int step = 0; step < 200 && from < t && t < to; step++) {
+        W value = 0, slope = 0, size = 0;
+        for (std::size_t i = N; i-- > 0;) {
+            slope = slope * t + value;
+            value = value * t + a[i];
+            size = size * magnitude(t) + magnitude(a[i]);
         }
-        found.push_back(t);
+        if (magnitude(value) <= 2 * roundoff * size) break;
+        ((value < 0) == rising ? from : to) = t;
+        W next = t - value / slope;
+        if (!(from < next && next < to && 2 * magnitude(next - t) <= last)) next = (from + to) / 2;
+        last = magnitude(next - t);
+        t = next;
     }
+    return t;
+}
+
+/// The same between low and high, of any number of changes: one lies between neighbouring turns at most.
+template <typename W, std::size_t N>
+Places<W> sign_changes(const std::array<W, N>& a, const Places<W>& turns, W low, W high)
+{
+    Places<W> found;
+    W from = low;
+    const auto up_to = [&](W to) {
+        if ((polynomial(a, from) < 0) != (polynomial(a, to) < 0)) found.push(sign_change(a, from, to));
+        from = to;
+    };
+    for (const W& turn : turns)
+        if (low < turn && turn < high) up_to(turn);
+    up_to(high);
     return found;
+}
+
+template <typename W>
+Places<W> sign_changes(const std::array<W, 3>& a, W low, W high)
+{
+    Places<W> found;
+    const W half = a[1] / 2, discriminant = half * half - a[0] * a[2];
+    if (!(discriminant > 0)) return found;
+    const W q = -(half + (half < 0 ? -root(discriminant) : root(discriminant)));
+    for (const W& t : {std::min(q / a[2], a[0] / q), std::max(q / a[2], a[0] / q)})
+        if (low < t && t < high) found.push(t);
+    return found;
+}
+template <typename W>
+Places<W> sign_changes(const std::array<W, 4>& a, W low, W high)
+{
+    return sign_changes(a, sign_changes(derivative(a), low, high), low, high);
 }
 
 /// X = m (p - c); q = sum s X^2 + 2 sum l X + w < 0 inside: planes, spheres and quadrics alike. Or, if it has a major
@@ -157,7 +197,7 @@ struct Primitive {
         return along_d > 0 ? root(dot(g, g)) / along_d : W(1e30L);
     }
     /// A torus along a line near it: the quartic (|p|^2 + R^2 - r^2)^2 - 4 R^2 rho^2.
-    std::vector<W> torus_quartic(const Wide3<W>& o, const Wide3<W>& d) const
+    std::array<W, 5> torus_quartic(const Wide3<W>& o, const Wide3<W>& d) const
     {
         const Wide3<W> x = local(o), v{dot(m[0], d), dot(m[1], d), dot(m[2], d)};
         const W dd = dot(v, v), xv = dot(x, v), four = 4 * major * major;
@@ -173,12 +213,12 @@ struct Primitive {
         const Wide3<W> near = along(o, d, shift), x = local(near);
         const W far = 2 * (major + minor);
         if (dot(x, x) > far * far) return true;
-        const std::vector<W> quartic = torus_quartic(near, d);
-        for (const W& t : sign_changes(quartic, -far, far))
+        const std::array<W, 5> quartic = torus_quartic(near, d);
+        const Places<W> turns = sign_changes(derivative(quartic), -far, far);
+        for (const W& t : sign_changes(quartic, turns, -far, far))
             out.push_back({shift + t, this->slope(along(near, d, t), d)});
         bool sure = true;
-        for (const W& t : sign_changes(derivative(quartic), -far, far))
-            sure = sure && magnitude(value(along(near, d, t))) > rounding * (major + minor);
+        for (const W& t : turns) sure = sure && magnitude(value(along(near, d, t))) > rounding * (major + minor);
         return sure;
     }
     /// Appends the crossings; false if the discriminant or leading coefficient lies within `rounding` of 0.

@@ -194,6 +194,26 @@ TYPED_TEST(KernelsTorus, ARayThatLeavesItMeetsItAgainWhereItMustAndNowhereElse)
     check_departures<TypeParam>(.03125, 20000);
 }
 
+TYPED_TEST(KernelsTorus, AChordOfLessThanRoundingIsWalkedAllTheSame)
+{
+    using P = TypeParam;
+    // Found by many_rays: within rounding of the surface it goes inward, nearly along the tangent.
+    const Vec3 center{1.2744375958193528, -1.9644351409902807, 2.055646787141902};
+    const Vec3 axis{0.06538896804469971, 0.9820905892456595, -0.17669849284349518};
+    const Vec3 o{0x1.c684dcp+1, -0x1.8a0a48p+1, -0x1.0e4fbcp+2}, d{0x1.83ee82p-1, 0x1.2b3ee6p-7, 0x1.4e1cccp-1};
+    const SolidPtr ring = solid(scene::Torus{center, axis, 6.796076661791698, 0.16648340263539915});
+    for (const bool inverse : {false, true}) {
+        const Native scene(scene_of({inverse ? complement(ring) : ring}));
+        Stats stats{};
+        const Path path{o, d, scene.items<u32>(BUFFER_MEMBERS)[0] & ~MEMBER_INVERSE, true};
+        const auto hit = next_hit<P>(scene, path, std::vector<u32>(inverse ? 0 : 1, 0U), stats);
+        ASSERT_TRUE(hit);
+        EXPECT_EQ(hit->beyond_inside, false);
+        EXPECT_LT(hit->t, .01);
+        expect_sound(stats);
+    }
+}
+
 TYPED_TEST(KernelsTorus, LightThatRunsWithinAGlassRingNeverLeaksOut)
 {
     using P = TypeParam;

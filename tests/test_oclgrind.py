@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Renders the tiny scenes of tests/data/oclgrind in Oclgrind, which simulates an OpenCL device and watches every access,
-in float and in double.
+in float and in double; and has their error measured in it, by kernels that tell paths and single intersections.
 
-usage: test_oclgrind.py PROGRAM SCENES NEEDS [SIZE]
+usage: test_oclgrind.py PROGRAM BENCH SCENES NEEDS [SIZE of the pictures]
 
 Fails on whatever Oclgrind reports: an access outside a buffer, a data race, use of what was never written, a wrong call
 of the OpenCL API. Fails too if the scenes together do not ask for every feature that NEEDS (scene/needs.cpp) names: then
@@ -19,11 +19,14 @@ import re
 import subprocess
 import sys
 import tempfile
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 MOST_STEPS = 1
 MOST_EDGES = 0.01
+PATHS = "12x7"  # the least that still makes some work-items share their counters
+FAULTS_OF_PATHS = ("parity", "nan", "overflows", "stuck", "kernel_wrong")
 FAULTS = ("parity", "nan", "interior_overflow", "stack_overflow", "stuck")
 # -O0: clang 14's inlining leaves llvm.experimental.noalias.scope.decl behind, which Oclgrind 21.10 does not know.
 OCLGRIND = ("oclgrind", "--build-options", "-O0", "--check-api", "--uninitialized", "--data-races", "--max-errors", "20")
@@ -52,12 +55,8 @@ def without_coverage(program: Path, scenes: list[tuple[Path, list[str]]], needs:
     return set(names) - met
 
 
-def complaints(program: Path, scene: Path, options: list[str], size: str) -> tuple[list[str], str]:
-    with tempfile.TemporaryDirectory() as folder:
-        return complaints_in(Path(folder), program, scene, options, size)
-
-
-def complaints_in(folder: Path, program: Path, scene: Path, options: list[str], size: str) -> tuple[list[str], str]:
+def of_picture(folder: Path, program: Path, scene: Path, options: list[str], size: str) -> tuple[list[str], str]:
+    """What is wrong with the render kernel's picture, and what was seen of it."""
     simulated, other, log = folder / "oclgrind.png", folder / "device.png", folder / "log"
     # One launch of all pixels, more than STAT_SLOTS, so that some share their counters and a race would show.
     common = ["render", scene, "-s", size, "--tile", size, "--json", "--quiet", "--no-kernel-cache", *options]
@@ -73,22 +72,45 @@ def complaints_in(folder: Path, program: Path, scene: Path, options: list[str], 
     return found, f"{report['statistics']['rays']} rays, worst {steps['max_steps']}, equal {steps['equal_fraction']:.2%}"
 
 
+def of_paths(folder: Path, bench: Path, scene: Path, options: list[str], size: str) -> tuple[list[str], str]:
+    """The same of the kernels that tell paths and single intersections, held against the oracle."""
+    common = ["error", scene, "-s", size, "--repeats", 1, "--no-costs", "--json", "--quiet", *options]
+    out, said = watched(folder / "log", bench, *common, "--device", "oclgrind")
+    report = json.loads(out)["benchmarks"][0]
+    found = [f"{name} is {report[name]}" for name in FAULTS_OF_PATHS if report[name] != 0]
+    if said.strip():
+        return [*found, f"Oclgrind reports:\n{said}"], ""
+    return found, f"{report['pixels']} paths, {report['kernel_rays']} intersections"
+
+
+def complaints(look: Callable[..., tuple[list[str], str]], *arguments: object) -> tuple[list[str], str]:
+    with tempfile.TemporaryDirectory() as folder:
+        return look(Path(folder), *arguments)
+
+
 def main() -> int:
-    program, folder, needs = (Path(a) for a in sys.argv[1:4])
-    size = sys.argv[4] if len(sys.argv) > 4 else "16x9"
+    program, bench, folder, needs = (Path(a) for a in sys.argv[1:5])
+    size = sys.argv[5] if len(sys.argv) > 5 else "16x9"
     texts = sorted(p for p in folder.iterdir() if p.suffix in (".clu", ".gun", ".rayt"))
     scenes = [(p, [] if p.suffix == ".clu" else ["--as-original"]) for p in texts]
-    cases = [(scene, options, precision) for scene, options in scenes for precision in ("float", "double")]
+    cases = [
+        (what, scene, precision, (look, of, scene, [*options, "--precision", precision], sized))
+        for what, look, of, sized in (("paths", of_paths, bench, PATHS), ("picture", of_picture, program, size))
+        for scene, options in scenes
+        if what == "picture" or not options  # paths are not told by the original's rules
+        for precision in ("float", "double")
+    ]
     failed = 0
     if missing := without_coverage(program, scenes, needs):
         print(f"FAILED no scene in {folder} needs {', '.join(sorted(missing))}: add one")
         failed += 1
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        results = pool.map(lambda c: complaints(program, c[0], [*c[1], "--precision", c[2]], size), cases)
-        for (scene, _, precision), (found, seen) in zip(cases, results):
+        results = pool.map(lambda c: complaints(*c[3]), cases)
+        for (what, scene, precision, _), (found, seen) in zip(cases, results):
+            name = f"{what} of {scene.name} in {precision}"
             failed += bool(found)
-            print(f"{'FAILED' if found else 'ok':7}{scene.name} in {precision}: {seen} {'; '.join(found)}", flush=True)
-    print(f"{len(cases)} pictures, {failed} failed")
+            print(f"{'FAILED' if found else 'ok':7}{name}: {seen} {'; '.join(found)}", flush=True)
+    print(f"{len(cases)} runs, {failed} failed")
     return 1 if failed else 0
 
 

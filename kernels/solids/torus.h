@@ -217,6 +217,11 @@ static inline Span torus_span(__global const LayoutTorus* torus, const Line* lin
     Span span = make_span(roots[2u * part], roots[2u * part + 1u], R(0), 1);
     span.lo = torus_end(&l, line, span.lo, &span.slope_lo);
     span.hi = torus_end(&l, line, span.hi, &span.slope_hi);
+    if (left) { /* on its way to the next root, however near, the ray is on the side that it went to */
+        const real next = line->start + least_chord(line->start);
+        if (line->left_inside && !part) span.hi = fmax(span.hi, next);
+        if (!line->left_inside && part) span.lo = fmax(span.lo, next);
+    }
     /* Rounding blurs an end that is met at a slant, but not as far as the interval's other end. */
     const real most = R(0.25f) * (span.hi - span.lo);
     if (!(left && span.lo == line->start))
