@@ -172,27 +172,44 @@ static inline real next_end(const Span* spans, u32 count, real x, real doubt)
 }
 #endif
 
-/* A boundary that must lie at x, since the interior says one thing and geometry another. Within rounding it does;
- * beyond, the interior was wrong: the crossing then has no face, and is counted. */
-static inline Crossing crossing_here(World* world, const Line* line, Crossing found, real x, real err)
+/* Where an object's next boundary is looked for: at ray parameter t, which is `at` on the object's line and known to
+ * err; and whether the ray is inside the object there. */
+typedef struct {
+    real t, at, err;
+    int inside;
+} Place;
+
+static inline Place place_at(const Line* line, real t, real err, int inside)
 {
-    const real error = place_error(line, x, err);
-    if (!(fabs(found.at - line->start - x) <= R(16) * larger(found.slope, R(1)) * error)) {
+    Place p;
+    p.t = t;
+    p.at = line->start + t;
+    p.err = err;
+    p.inside = inside;
+    return p;
+}
+
+/* A boundary that must lie right there, since the interior says one thing and geometry another. Within rounding it
+ * does; beyond, the interior was wrong: the crossing then has no face, and is counted. */
+static inline Crossing crossing_here(World* world, const Line* line, Crossing found, Place here)
+{
+    const real error = place_error(line, here.t, here.err);
+    if (!(fabs(found.at - line->start - here.t) <= R(16) * larger(found.slope, R(1)) * error)) {
         COUNT(world, STAT_PARITY);
         found.face = MEMBER_NONE;
     }
-    found.t = x;
-    found.at = line->start + x;
+    found.t = here.t;
+    found.at = here.at;
     found.err = stored_error(line, found.at);
     return found;
 }
 
-/* Where the object's boundary is next crossed by a ray that at parameter x (known to err) is inside it, or not.
- * Returns 1 and the crossing, or 0. */
-static inline int object_crossing(World* world, __global const LayoutObject* object, const Line* line, real x, real err,
-                                  int inside, Crossing* crossing)
+/* Where the object's boundary is next crossed. Returns 1 and the crossing, or 0. */
+static inline int object_crossing(World* world, __global const LayoutObject* object, const Line* line, Place place,
+                                  Crossing* crossing)
 {
-    const real from = line->start + x, doubt = place_error(line, from, err);
+    const int inside = place.inside;
+    const real from = place.at, doubt = place_error(line, from, place.err);
 #ifdef CLU_GROUPS
     if (object->group_count > 1 || object->program_count) {
         Span spans[CLU_GROUP_CAPACITY];
@@ -205,7 +222,7 @@ static inline int object_crossing(World* world, __global const LayoutObject* obj
             if (!inside && !object->program_count && s.keep && !(s.lo < s.hi && s.hi >= from)) return 0;
         } while (++i < count);
         if (object_holds(world, object, spans, from, doubt) != inside) {
-            *crossing = crossing_here(world, line, nearest_face(spans, count, from, !inside), x, err);
+            *crossing = crossing_here(world, line, nearest_face(spans, count, from, !inside), place);
             return 1;
         }
         real at = from, here = doubt;
@@ -227,7 +244,7 @@ static inline int object_crossing(World* world, __global const LayoutObject* obj
     crossing->slope = at_lo ? s.slope_lo : s.slope_hi;
     crossing->face = at_lo ? s.face_lo : s.face_hi;
     if (span_holds(&s, from, doubt) != inside) {
-        *crossing = crossing_here(world, line, *crossing, x, err);
+        *crossing = crossing_here(world, line, *crossing, place);
         return 1;
     }
     if (!is_finite(crossing->at)) return 0;

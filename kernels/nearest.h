@@ -57,8 +57,18 @@ static inline real interface_spread(const Interface* face, real t)
     return spread;
 }
 
-/* The nearest crossing of any object from ray parameter x on, and those that rounding cannot tell from it.
- * Returns 0 if there is none. */
+/* Whether several objects are left at the interface and none is entered. */
+static inline int interface_leaves(const Interface* face, const Interior* interior)
+{
+    if (face->count < 2) return 0;
+    for (u32 i = 0; i < face->count; i++)
+        if (!interior_has(interior, face->ids[i])) return 0;
+    return 1;
+}
+
+/* The nearest crossing of any object from ray parameter x on, and those that rounding cannot tell from it. Returns 0 if
+ * there is none. Where objects are left together, one may be entered again before rounding can tell, and no gap is seen
+ * then: it counts twice. */
 static inline int nearest_interface(World* world, const Ray* ray, real x, real err, const Interior* interior,
                                     Interface* face)
 {
@@ -66,14 +76,24 @@ static inline int nearest_interface(World* world, const Ray* ray, real x, real e
     face->t = INFINITE;
     face->count = 0;
     COUNT(world, STAT_QUERIES);
-    for (u32 id = 0; id < count; id++) {
+    for (u32 i = 0, again = 0; i < count + again; i++) {
+        const u32 id = i < count ? i : face->ids[i - count];
         __global const LayoutObject* object = &world->objects[id];
-        const int inside = interior_has(interior, id);
-        if (!inside && !bound_met(object, ray, x - err, face->t + err)) continue;
-        COUNT(world, STAT_TESTS);
-        const Line line = make_line(ray, object);
-        Crossing crossing;
-        if (object_crossing(world, object, &line, x, err, inside, &crossing)) interface_add(face, id, crossing);
+        const int inside = i < count && interior_has(interior, id);
+        if (inside || i >= count || bound_met(object, ray, x - err, face->t + err)) {
+            COUNT(world, STAT_TESTS);
+            const Line line = make_line(ray, object);
+            Place place = place_at(&line, x, err, inside);
+            if (i >= count) {
+                if (face->crossings[i - count].t > x) place.err = R(0);
+                place.t = face->crossings[i - count].t;
+                place.at = face->crossings[i - count].at;
+            }
+            Crossing crossing;
+            if (object_crossing(world, object, &line, place, &crossing) && (i < count || crossing.t > place.t))
+                interface_add(face, id, crossing);
+        }
+        if (i + 1 == count && interface_leaves(face, interior)) again = face->count;
     }
     return face->count > 0;
 }
@@ -92,7 +112,7 @@ static inline int is_hidden(World* world, const Ray* ray, real distance)
         COUNT(world, STAT_TESTS);
         const Line line = make_line(ray, object);
         Crossing crossing;
-        if (object_crossing(world, object, &line, R(0), ray->err, 0, &crossing) &&
+        if (object_crossing(world, object, &line, place_at(&line, R(0), ray->err, 0), &crossing) &&
             crossing.t + crossing.slope * err < distance)
             return 1;
     }

@@ -253,6 +253,48 @@ TYPED_TEST(KernelsImages, BetweenFlushBlocksOfDifferentIndexIsNoVacuum)
     expect_sound(stats);
 }
 
+TYPED_TEST(KernelsImages, WhereAStudMeetsFlushBlocksIsNoVacuum)
+{
+    using P = TypeParam;
+    Random random(4);
+    Stats stats{};
+    unsigned vacuums = 0, parted = 0, rays = 0;
+    for (const double away : {0., 3., 40.}) {
+        // The stud of the lower block lies within the upper block, whose lower face is flush with the lower's upper.
+        Scene scene = empty_scene();
+        const Vec3 c{.7 * away, -.6 * away, .3 * away};
+        const SolidPtr stud = solid(
+            scene::Intersection{{solid(scene::Cylinder{c, {0, 0, .3}}), cuboid(c + Vec3{0, 0, -.4}, {2, 2, 1.2})}});
+        add(scene, solid(scene::Union{{cuboid(c + Vec3{0, 0, -1}, {2, 2, 2}), stud}}), clear(1.3));
+        add(scene, cuboid(c + Vec3{0, 0, 1}, {2, 2, 2}), clear(1.4));
+        const Native native(scene);
+        for (int i = 0; i < 20000 / P::share; i++) {
+            const double angle = uniform(random, 0, 6.28), height = log_uniform(random, 1e-9, 1e-2);
+            const Vec3 out{std::cos(angle), std::sin(angle), 0}, across{-out.y, out.x, 0};
+            const Vec3 d =
+                scene::unit(out + across * uniform(random, -2, 2) + Vec3{0, 0, -log_uniform(random, .05, 1)});
+            const Vec3 start = c + out * .3 + Vec3{0, 0, height} - d * .1;
+            Path path{start, d, MEMBER_NONE, false};
+            std::vector<u32> inside{0, 1};
+            rays++;
+            auto hit = next_hit<P>(native, path, inside, stats);
+            if (hit && hit->after == 1) {
+                parted++;
+                inside = {1};
+                path = beyond(*hit, d);
+                const auto next = next_hit<P>(native, path, inside, stats);
+                if (!next || next->after != 0) vacuums++;
+            } else if (!hit || scene::length(hit->p - start) < .5) {
+                vacuums++;
+            }
+        }
+    }
+    EXPECT_EQ(vacuums, 0U) << "of " << rays << " rays";
+    EXPECT_GT(parted, rays / 4);
+    EXPECT_LT(parted, rays);
+    expect_sound(stats);
+}
+
 TYPED_TEST(KernelsImages, NothingLeaksThroughEdgesAndCorners)
 {
     using P = TypeParam;
