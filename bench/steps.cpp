@@ -3,6 +3,7 @@
 #include "bench/disturbances.h"
 #include "host/errors.h"
 #include "host/interrupt.h"
+#include "kernels/layout.h"
 
 #include <fmt/format.h>
 
