@@ -11,7 +11,8 @@
 namespace clucida::bench {
 namespace {
 
-constexpr unsigned whole_path_seeds = 60; ///< what few disturbances do not explain, more seldom do
+constexpr std::size_t traced_at_once = 256; ///< whole paths with all their rays take room
+constexpr unsigned whole_path_seeds = 60;   ///< what few disturbances do not explain, more seldom do
 
 /// A flip whose remaining divergences no disturbance has explained yet.
 struct Open {
@@ -53,15 +54,18 @@ void try_whole_paths(std::vector<Open>& open, const scene::Scene& scene, const o
 /// The ways that are still in question, each with its rays.
 std::vector<Trail> trails_of(std::span<const Open> open, const PathsOf& paths_of)
 {
-    std::vector<oracle::Pixel> pixels;
-    for (const Open& o : open) pixels.push_back(o.flip->pixel);
-    const std::vector<host::PixelPath> paths = paths_of(pixels);
     std::vector<Trail> out;
-    for (std::size_t i = 0; i < open.size(); i++) {
-        for (const Divergence* d : open[i].divergences) {
-            Trail trail{pixels[i], d->way, {}};
-            for (const Step& step : d->way) trail.rays.push_back(paths[i].rays.at(step.place));
-            out.push_back(std::move(trail));
+    for (std::size_t begin = 0; begin < open.size(); begin += traced_at_once) {
+        const std::span<const Open> some = open.subspan(begin, std::min(traced_at_once, open.size() - begin));
+        std::vector<oracle::Pixel> pixels;
+        for (const Open& o : some) pixels.push_back(o.flip->pixel);
+        const std::vector<host::PixelPath> paths = paths_of(pixels);
+        for (std::size_t i = 0; i < some.size(); i++) {
+            for (const Divergence* d : some[i].divergences) {
+                Trail trail{pixels[i], d->way, {}};
+                for (const Step& step : d->way) trail.rays.push_back(paths[i].rays.at(step.place));
+                out.push_back(std::move(trail));
+            }
         }
     }
     return out;
