@@ -25,7 +25,7 @@ struct ErrorSettings {
     std::vector<Contender> contenders{{}};
     RealType oracle = RealType::long_double;
     std::size_t most_explained = 20000; ///< flips that are looked into, of each contender (500 of variants)
-    unsigned seeds = 1000;              ///< disturbances that are tried at most (60 of variants)
+    unsigned seeds = 1000;              ///< disturbances that a step is tried in at most (60 of variants)
     unsigned repeats = 3;               ///< pictures that are timed
     bool costs = true;                  ///< also what compressed colours, cutoff and hop limit cost
     unsigned threads = 1;               ///< of the oracle
