@@ -2,8 +2,6 @@
 
 #include "kernels/layout.h"
 
-#include <cstddef>
-
 namespace clucida::bench {
 namespace {
 
@@ -47,8 +45,9 @@ struct Reader {
 void compare(Reader& kernel, Reader& oracle, std::vector<Step>& way, std::vector<Divergence>& out)
 {
     if (kernel.done() || oracle.done()) return; // a log that was cut short
+    const std::size_t place = kernel.at;
     const Event k = kernel.next(), o = oracle.next();
-    way.push_back({k, 0});
+    way.push_back({k, 0, place});
     if (!same(k, o)) out.push_back({way, o});
     if (same_surface(k, o)) {
         for (const std::uint32_t branch : branches) {
@@ -70,6 +69,12 @@ void compare(Reader& kernel, Reader& oracle, std::vector<Step>& way, std::vector
 
 } // namespace
 
+bool goes(const Event& event, const Step& step)
+{
+    if (step.branch == 0) return same(event, step.event);
+    return same_surface(event, step.event) && (event.what & step.branch);
+}
+
 std::vector<Divergence> divergences(std::span<const Event> kernel, std::span<const Event> oracle)
 {
     std::vector<Divergence> out;
@@ -85,8 +90,8 @@ bool has_way(std::span<const Event> path, const Divergence& divergence)
     for (const Step& step : divergence.way) {
         if (reader.done()) return false;
         const Event event = reader.next();
-        if (&step == &divergence.way.back()) return same(event, step.event);
-        if (!same_surface(event, step.event) || !(event.what & step.branch)) return false;
+        if (!goes(event, step)) return false;
+        if (step.branch == 0) return true;
         if (step.branch == EVENT_REFRACTED && (event.what & EVENT_REFLECTED)) reader.skip();
     }
     return false;

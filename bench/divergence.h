@@ -3,6 +3,7 @@
 
 #include "bench/oracle/path.h"
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace clucida::bench {
 struct Step {
     oracle::Event event;
     std::uint32_t branch = 0;
+    std::size_t place = 0; ///< the event's, in the path that it is of
 };
 
 /// A segment whose events differ, though the surfaces before it on the way are the same.
@@ -19,6 +21,9 @@ struct Divergence {
     std::vector<Step> way; ///< the kernels', from the observer's segment to this one, this included
     oracle::Event oracle;  ///< what the oracle has in place of the last
 };
+
+/// Whether an event leads on along a way: the step's surface and its branch followed, or the same event at the end.
+bool goes(const oracle::Event& event, const Step& step);
 
 /// Both paths as events in pre-order (oracle::Event), with faces already named alike. Where surfaces differ, or one
 /// path ends, what follows is not compared; where only lights or the branches followed differ, what both follow is.

@@ -4,12 +4,15 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <thread>
 
 namespace clucida::bench {
 namespace {
+
+constexpr std::size_t most_listed = 4; ///< flips, in the text
 
 double per_million(double count, const ErrorReport& r)
 {
@@ -54,10 +57,11 @@ void print_report(std::FILE* to, const ErrorReport& r)
                r.kernel.p50, r.kernel.p999, r.kernel.worst, r.kernel.wrong, r.kernel.rays);
     fmt::print(to, "    flips      {} of {} pixels, {:.4g} per million, {} within four hops\n", r.flips, r.pixels,
                per_million(static_cast<double>(r.flips), r), r.shallow_flips);
-    fmt::print(to, "               of {} looked at {} explained, {} unexplained\n", r.looked_at, r.explained,
-               r.looked_at - r.explained);
-    if (!r.unexplained.empty())
-        fmt::print(to, "               the first unexplained at {},{}\n", r.unexplained[0].x, r.unexplained[0].y);
+    const Explained& e = r.explained;
+    fmt::print(to, "               of {} looked at {} explained, {} of them step by step; {} unexplained\n",
+               e.looked_at, e.explained, e.step_by_step, e.unexplained.size());
+    for (const UnexplainedFlip& flip : std::span(e.unexplained).first(std::min(e.unexplained.size(), most_listed)))
+        fmt::print(to, "               unexplained at {},{}, {}\n", flip.pixel.x, flip.pixel.y, flip.why);
     fmt::print(to, "    agreeing   max {:.2g}, p99.9 {:.2g}, rmse {:.2g}, psnr {} dB; {:.4f} % equal in 8 bits\n",
                r.agreeing.max_error, r.agreeing.p999, r.agreeing.rmse, decibels(r.agreeing.psnr),
                100 * r.agreeing_equal);
@@ -81,8 +85,11 @@ nlohmann::ordered_json cost_json(const Cost& c)
 nlohmann::ordered_json report_json(const NamedError& of, const ErrorReport& r, const ErrorSettings& settings)
 {
     const host::Statistics& s = r.statistics;
-    nlohmann::ordered_json unexplained = nlohmann::ordered_json::array();
-    for (const oracle::Pixel& p : r.unexplained) unexplained.push_back({p.x, p.y});
+    nlohmann::ordered_json unexplained = nlohmann::ordered_json::array(), why = nlohmann::ordered_json::array();
+    for (const UnexplainedFlip& flip : r.explained.unexplained) {
+        unexplained.push_back({flip.pixel.x, flip.pixel.y});
+        why.push_back(flip.why);
+    }
     nlohmann::ordered_json j = {
         {"name", fmt::format("error/{}/{}/{}/{}x{}", of.scene, precision_name(r.contender.precision),
                              r.contender.variant, settings.picture.width, settings.picture.height)},
@@ -99,10 +106,12 @@ nlohmann::ordered_json report_json(const NamedError& of, const ErrorReport& r, c
         {"flips", r.flips},
         {"flips_ppm", per_million(static_cast<double>(r.flips), r)},
         {"flips_within_4_hops_ppm", per_million(static_cast<double>(r.shallow_flips), r)},
-        {"flips_looked_at", r.looked_at},
-        {"explained_flips", r.explained},
+        {"flips_looked_at", r.explained.looked_at},
+        {"explained_flips", r.explained.explained},
+        {"explained_step_by_step", r.explained.step_by_step},
         {"unexplained_flips", unexplained_flips(r)},
         {"unexplained_at", std::move(unexplained)},
+        {"unexplained_why", std::move(why)},
         {"max_error", r.agreeing.max_error},
         {"p999", r.agreeing.p999},
         {"rmse", r.agreeing.rmse},
@@ -149,21 +158,23 @@ void print_error(std::FILE* to, const NamedError& result, const ErrorSettings& s
 
 void print_tables(std::FILE* to, std::span<const NamedError> results, const ErrorSettings& settings)
 {
-    fmt::print(to, "| scene | precision | variant | ms | flips, ppm | within 4 hops | unexplained | max | p99.9 | RMSE "
+    fmt::print(to, "| scene | precision | variant | ms | flips, ppm | within 4 hops | step by step | unexplained | max "
+                   "| p99.9 | RMSE "
                    "| PSNR, dB | "
                    "equal, % | PSNR of all | mean FLIP | hit error, u | parity | NaN |\n"
-                   "|---|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+                   "|---|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
     for (const NamedError& result : results)
         for (const ErrorReport& r : result.error.reports)
-            fmt::print(
-                to,
-                "| {} | {} | {} | {:.1f} | {:.4g} | {:.4g} | {:.0f} | {:.1e} | {:.1e} | {:.1e} | {} | {:.4f} | {} | "
-                "{:.1e} | {:.1f} | {} | {} |\n",
-                result.scene, precision_name(r.contender.precision), r.contender.variant, r.milliseconds,
-                per_million(static_cast<double>(r.flips), r), per_million(static_cast<double>(r.shallow_flips), r),
-                unexplained_flips(r), r.agreeing.max_error, r.agreeing.p999, r.agreeing.rmse, decibels(r.agreeing.psnr),
-                100 * r.agreeing_equal, decibels(r.all.psnr), r.flip, r.kernel.worst, r.statistics.parity,
-                r.statistics.nan);
+            fmt::print(to,
+                       "| {} | {} | {} | {:.1f} | {:.4g} | {:.4g} | {} | {:.0f} | {:.1e} | {:.1e} | {:.1e} | {} | "
+                       "{:.4f} | {} | "
+                       "{:.1e} | {:.1f} | {} | {} |\n",
+                       result.scene, precision_name(r.contender.precision), r.contender.variant, r.milliseconds,
+                       per_million(static_cast<double>(r.flips), r),
+                       per_million(static_cast<double>(r.shallow_flips), r), r.explained.step_by_step,
+                       unexplained_flips(r), r.agreeing.max_error, r.agreeing.p999, r.agreeing.rmse,
+                       decibels(r.agreeing.psnr), 100 * r.agreeing_equal, decibels(r.all.psnr), r.flip, r.kernel.worst,
+                       r.statistics.parity, r.statistics.nan);
     if (!settings.costs) return;
     fmt::print(to, "\n| scene | truncated | 32-bit filters: RMSE | max | cutoff: RMSE | max | hop limit: RMSE | max |\n"
                    "|---|---:|---:|---:|---:|---:|---:|---:|\n");

@@ -1,5 +1,7 @@
 #include "bench/flips.h"
 
+#include "bench/disturbances.h"
+#include "bench/steps.h"
 #include "bench/truth.h"
 #include "host/errors.h"
 #include "host/interrupt.h"
@@ -8,6 +10,9 @@
 
 namespace clucida::bench {
 namespace {
+
+constexpr std::size_t traced_at_once = 256; ///< whole paths with all their rays take room
+constexpr unsigned whole_path_seeds = 60;   ///< what few disturbances do not explain, more seldom do
 
 /// A flip whose remaining divergences no disturbance has explained yet.
 struct Open {
@@ -27,19 +32,14 @@ std::vector<Open> choose(std::span<const PathFlip> flips, std::size_t most)
     return out;
 }
 
-} // namespace
-
-Explained explain(const scene::Scene& scene, const oracle::Options& options, const FaceNames& names,
-                  std::span<const PathFlip> flips, std::size_t most_flips, unsigned most_seeds, unsigned threads)
+/// Takes away what the oracle's whole paths explain.
+void try_whole_paths(std::vector<Open>& open, const scene::Scene& scene, const oracle::Options& options,
+                     const FaceNames& names, unsigned most_seeds, unsigned threads)
 {
-    std::vector<Open> open = choose(flips, most_flips);
-    Explained out;
-    out.looked_at = open.size();
     oracle::Options disturbed = options;
-    while (!open.empty() && out.seeds < most_seeds) {
+    for (unsigned seed = 1; seed <= most_seeds && !open.empty(); seed++) {
         if (host::interrupted()) throw host::Interrupted();
-        out.seeds++;
-        disturbed.disturbance = {out.seeds, flip_disturbance, out.seeds % 3 == 1, out.seeds % 3 == 2};
+        disturbed.disturbance = flip_disturbance_of(seed);
         std::vector<oracle::Pixel> pixels;
         pixels.reserve(open.size());
         for (const Open& o : open) pixels.push_back(o.flip->pixel);
@@ -50,8 +50,53 @@ Explained explain(const scene::Scene& scene, const oracle::Options& options, con
         }
         std::erase_if(open, [](const Open& o) { return o.divergences.empty(); });
     }
-    out.explained = out.looked_at - open.size();
-    for (const Open& o : open) out.unexplained.push_back(o.flip->pixel);
+}
+
+/// The ways that are still in question, each with its rays.
+std::vector<Trail> trails_of(std::span<const Open> open, const PathsOf& paths_of)
+{
+    std::vector<Trail> out;
+    for (std::size_t begin = 0; begin < open.size(); begin += traced_at_once) {
+        const std::span<const Open> some = open.subspan(begin, std::min(traced_at_once, open.size() - begin));
+        std::vector<oracle::Pixel> pixels;
+        for (const Open& o : some) pixels.push_back(o.flip->pixel);
+        const std::vector<host::PixelPath> paths = paths_of(pixels);
+        for (std::size_t i = 0; i < some.size(); i++) {
+            for (const Divergence* d : some[i].divergences) {
+                Trail trail{pixels[i], d->way, {}};
+                for (const Step& step : d->way) trail.rays.push_back(paths[i].rays.at(step.place));
+                out.push_back(std::move(trail));
+            }
+        }
+    }
+    return out;
+}
+
+} // namespace
+
+Explained explain(const scene::Scene& scene, const oracle::Options& options, const FaceNames& names,
+                  std::span<const PathFlip> flips, const PathsOf& paths_of, std::size_t most_flips, unsigned most_seeds,
+                  unsigned threads)
+{
+    std::vector<Open> open = choose(flips, most_flips);
+    Explained out;
+    out.looked_at = open.size();
+    try_whole_paths(open, scene, options, names, std::min(most_seeds, whole_path_seeds), threads);
+    if (!open.empty()) {
+        const std::vector<Trail> trails = trails_of(open, paths_of);
+        const std::vector<Verdict> verdicts = judge_steps(scene, options, names, trails, most_seeds, threads);
+        std::size_t next = 0;
+        for (const Open& o : open) {
+            std::string why;
+            for (std::size_t i = 0; i < o.divergences.size(); i++, next++)
+                if (why.empty()) why = why_not(verdicts[next]);
+            if (why.empty())
+                out.step_by_step++;
+            else
+                out.unexplained.push_back({o.flip->pixel, why});
+        }
+    }
+    out.explained = out.looked_at - out.unexplained.size();
     return out;
 }
 

@@ -1,6 +1,5 @@
 #include "bench/measure_error.h"
 
-#include "bench/flips.h"
 #include "bench/median.h"
 #include "bench/variants.h"
 #include "host/errors.h"
@@ -78,12 +77,13 @@ std::unique_ptr<Contest> enter(const Contender& contender, const host::Device& d
 }
 
 /// The kernels' paths of the pixels, whole.
-std::vector<host::PixelPath> whole_paths(Contest& contest, std::span<const oracle::Pixel> pixels)
+std::vector<host::PixelPath> whole_paths(Contest& contest, std::span<const oracle::Pixel> pixels,
+                                         host::KeepRays keep_rays = host::KeepRays::no)
 {
     std::vector<host::Pixel> places;
     for (const oracle::Pixel& p : pixels) places.push_back({p.x, p.y});
     host::Statistics unused;
-    std::vector<host::PixelPath> out = host::trace_paths(*contest.tracer, places, 0, usual_events, unused);
+    std::vector<host::PixelPath> out = host::trace_paths(*contest.tracer, places, 0, usual_events, unused, keep_rays);
     std::vector<host::Pixel> again;
     std::vector<std::size_t> which;
     unsigned most = 0;
@@ -93,7 +93,7 @@ std::vector<host::PixelPath> whole_paths(Contest& contest, std::span<const oracl
         which.push_back(i);
         most = std::max(most, out[i].events);
     }
-    std::vector<host::PixelPath> longer = host::trace_paths(*contest.tracer, again, 0, most, unused);
+    std::vector<host::PixelPath> longer = host::trace_paths(*contest.tracer, again, 0, most, unused, keep_rays);
     for (std::size_t i = 0; i < which.size(); i++) out[which[i]] = std::move(longer[i]);
     return out;
 }
@@ -234,9 +234,9 @@ std::vector<oracle::Pixel> all_pixels(host::Shape picture)
 
 double unexplained_flips(const ErrorReport& report)
 {
-    if (report.looked_at == 0) return 0;
-    const auto found = static_cast<double>(report.looked_at - report.explained);
-    return found * static_cast<double>(report.flips) / static_cast<double>(report.looked_at);
+    const Explained& e = report.explained;
+    if (e.looked_at == 0) return 0;
+    return static_cast<double>(e.unexplained.size() * report.flips) / static_cast<double>(e.looked_at);
 }
 
 SceneError measure_error(const host::SceneSource& source, const host::Device& device, const ErrorSettings& settings,
@@ -265,10 +265,11 @@ SceneError measure_error(const host::SceneSource& source, const host::Device& de
         const bool full = contest->report.contender.variant == full_variant; // of others a sample tells enough
         const std::size_t most = full ? settings.most_explained : std::min(settings.most_explained, sampled_flips);
         const unsigned seeds = full ? settings.seeds : std::min(settings.seeds, sampled_seeds);
-        Explained e = explain(source.scene, options, by.names, contest->flips, most, seeds, settings.threads);
-        contest->report.looked_at = e.looked_at;
-        contest->report.explained = e.explained;
-        contest->report.unexplained = std::move(e.unexplained);
+        const auto paths_of = [&](std::span<const oracle::Pixel> asked) {
+            return whole_paths(*contest, asked, host::KeepRays::yes);
+        };
+        contest->report.explained =
+            explain(source.scene, options, by.names, contest->flips, paths_of, most, seeds, settings.threads);
         contest->report.kernel = measure_kernel_error(contest->renderer, source.scene, compiled, contest->needs,
                                                       contest->settings, by.names, settings.threads);
     }

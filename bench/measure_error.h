@@ -1,6 +1,7 @@
 /// The error of a scene's pictures against the oracle (docs/numerics.md has the definitions).
 #pragma once
 
+#include "bench/flips.h"
 #include "bench/kernel_error.h"
 #include "bench/truth.h"
 #include "host/compare.h"
@@ -24,7 +25,7 @@ struct ErrorSettings {
     std::vector<Contender> contenders{{}};
     RealType oracle = RealType::long_double;
     std::size_t most_explained = 20000; ///< flips that are looked into, of each contender (500 of variants)
-    unsigned seeds = 1000;              ///< disturbances that are tried at most (60 of variants)
+    unsigned seeds = 1000;              ///< disturbances that a step is tried in at most (60 of variants)
     unsigned repeats = 3;               ///< pictures that are timed
     bool costs = true;                  ///< also what compressed colours, cutoff and hop limit cost
     unsigned threads = 1;               ///< of the oracle
@@ -36,11 +37,11 @@ struct ErrorReport {
     std::string device;
     double milliseconds = 0, fastest = 0, slowest = 0; ///< a picture without compilation: the median, and the spread
     host::Statistics statistics;                       ///< of one picture
-    std::size_t pixels = 0, flips = 0, looked_at = 0, explained = 0;
+    std::size_t pixels = 0, flips = 0;
+    Explained explained;           ///< of the flips
     std::size_t shallow_flips = 0; ///< those that differ within the first four segments
-    std::vector<oracle::Pixel> unexplained;
-    host::Comparison agreeing; ///< pixels without a flip, against the oracle with colours as they are stored
-    double agreeing_equal = 0; ///< the share of them whose 8-bit values are all the same
+    host::Comparison agreeing;     ///< pixels without a flip, against the oracle with colours as they are stored
+    double agreeing_equal = 0;     ///< the share of them whose 8-bit values are all the same
     host::Comparison all;
     double flip = 0; ///< mean FLIP of all pixels
     KernelError kernel;
@@ -60,7 +61,7 @@ struct SceneError {
     Cost hops;   ///< against twice as many hops; likewise
 };
 
-/// The flips of `looked_at` not explained, put in proportion to all.
+/// The flips looked at that are not explained, put in proportion to all.
 double unexplained_flips(const ErrorReport& report);
 
 /// progress: 0..1, may be empty. @throws host::Failure, host::UsageError, host::Interrupted, scene::Error

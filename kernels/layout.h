@@ -216,5 +216,6 @@ typedef struct {
 #define EVENT_REFRACTED 4u /* the refraction was followed */
 #define EVENT_TOTAL 8u     /* past the critical angle */
 #define EVENT_EMITTED 16u  /* an emitter ended the ray */
+#define RAY_NUMBERS 9u     /* of a segment's ray: its origin, relative to the eye, its direction, the throughput */
 
 #endif

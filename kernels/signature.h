@@ -3,6 +3,7 @@
 #ifndef CLUCIDA_SIGNATURE_H
 #define CLUCIDA_SIGNATURE_H
 
+#include "kernels/color.h"
 #include "kernels/world.h"
 
 #ifdef CLU_SIGNATURE
@@ -14,6 +15,29 @@ static inline u32 hash_word(u32 hash, u32 word)
     return hash ^ hash >> 16;
 }
 #endif
+
+/* Notes, while there is room, the ray of the segment whose event comes next, and the throughput that it starts with. */
+static inline void record_ray(World* world, const Ray* ray, rgb throughput)
+{
+#ifdef CLU_SIGNATURE
+    const Signature* s = &world->signature;
+    if (s->count >= s->ray_capacity) return;
+    __global real* at = s->rays + (size_t)s->count * RAY_NUMBERS;
+    at[0] = ray->o.x;
+    at[1] = ray->o.y;
+    at[2] = ray->o.z;
+    at[3] = ray->d.x;
+    at[4] = ray->d.y;
+    at[5] = ray->d.z;
+    at[6] = throughput.r;
+    at[7] = throughput.g;
+    at[8] = throughput.b;
+#else
+    (void)world;
+    (void)ray;
+    (void)throughput;
+#endif
+}
 
 /* Notes the event: counts it, adds it to the hash and, while there is room, to the log. */
 static inline void record_event(World* world, LayoutEvent event)

@@ -182,6 +182,7 @@ static inline u32 trace_segment(World* world, Branch* branch, Branch* other, rgb
     Surface s;
     LayoutEvent event = {world->frame->max_hops - branch->hops, EVENT_NONE, EVENT_NONE, 0, 0};
     const u32 medium = medium_of(&branch->interior);
+    record_ray(world, &branch->ray, branch->throughput);
     if (!next_surface(world, &branch->ray, &branch->interior, &beyond, &s)) {
         record_event(world, event);
         *sum = rgb_add(*sum, rgb_filter(branch->weight, sky_through(world, medium, branch->ray.d)));

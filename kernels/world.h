@@ -6,10 +6,12 @@
 #include "kernels/unit.h"
 
 #ifdef CLU_SIGNATURE
-/* A path's events: how many there were, their hash, and the first of them. */
+/* A path's events: how many there were, their hash, and the first of them; and the first of the rays they began with.
+ */
 typedef struct {
-    u32 count, hash, capacity;
+    u32 count, hash, capacity, ray_capacity;
     __global LayoutEvent* log;
+    __global real* rays; /* RAY_NUMBERS of each */
 } Signature;
 #endif
 

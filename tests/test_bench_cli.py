@@ -72,7 +72,7 @@ class BenchCli(unittest.TestCase):
     def test_a_table_has_a_row_of_each_scene(self):
         lines = self.run_error(self.scene, self.scene, "--no-costs", "--markdown", "-q").stdout.splitlines()
         self.assertEqual(len(lines), 4)
-        self.assertEqual({line.count("|") for line in lines}, {18})
+        self.assertEqual({line.count("|") for line in lines}, {19})
 
     def test_one_picture_cannot_show_two_scenes(self):
         done = self.run_error(self.scene, self.scene, "-o", "where.png", code=2)

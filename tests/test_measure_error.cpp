@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace clucida::bench {
 namespace {
 
@@ -127,6 +129,33 @@ TEST_F(Signatures, TheLogIsTheFirstEventsAndTheHashIsOfAll)
         longer += whole[i].events > 2 ? 1 : 0;
     }
     EXPECT_GT(longer, 100U);
+}
+
+TEST_F(Signatures, RaysAreToldOfTheSegmentsInTheLogWhereAskedFor)
+{
+    const auto without = trace(2);
+    for (const host::Precision precision : {host::Precision::single, host::Precision::twofold}) {
+        settings.precision = precision;
+        host::PathTracer tracer = host::make_path_tracer(renderer, compiled, frame.needs, settings);
+        host::Statistics statistics;
+        const auto paths = host::trace_paths(tracer, pixels, 0, 2, statistics, host::KeepRays::yes);
+        unsigned beyond_float = 0;
+        for (std::size_t i = 0; i < paths.size(); i++) {
+            EXPECT_TRUE(without[i].rays.empty());
+            ASSERT_EQ(paths[i].rays.size(), paths[i].log.size());
+            if (precision == host::Precision::single) {
+                EXPECT_EQ(paths[i].hash, without[i].hash);
+            }
+            EXPECT_EQ(paths[i].rays[0].o, (std::array<double, 3>{})) << "the eye";
+            EXPECT_EQ(paths[i].rays[0].throughput, (std::array<double, 3>{1, 1, 1}));
+            for (const host::SegmentRay& r : paths[i].rays) {
+                EXPECT_NEAR(std::hypot(r.d[0], r.d[1], r.d[2]), 1, 2e-7);
+                if (double{static_cast<float>(r.d[1])} != r.d[1]) beyond_float++;
+            }
+        }
+        EXPECT_EQ(beyond_float > 1000, precision == host::Precision::twofold) << beyond_float;
+        EXPECT_EQ(beyond_float == 0, precision == host::Precision::single) << beyond_float;
+    }
 }
 
 TEST_F(Signatures, AnEventHasAsManyFollowersAsItSays)

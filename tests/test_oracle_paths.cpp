@@ -63,6 +63,56 @@ TEST(OraclePaths, AreTheSameInEveryRealType)
     }
 }
 
+/// Appends the path that begins with the branch, in the order of tracing.
+void follow_segments(const World<long double>& world, const Branch<long double>& branch, std::vector<Event>& events)
+{
+    const Segment<long double> s = segment(world, branch);
+    if (!s.event) return;
+    EXPECT_EQ(s.reflected.has_value(), (s.event->what & what_reflected) != 0);
+    EXPECT_EQ(s.refracted.has_value(), (s.event->what & what_refracted) != 0);
+    events.push_back(*s.event);
+    if (s.reflected) follow_segments(world, *s.reflected, events);
+    if (s.refracted) follow_segments(world, *s.refracted, events);
+}
+
+TEST(OraclePaths, AreTheSameSegmentBySegment)
+{
+    for (const std::string& name : scenes) {
+        SCOPED_TRACE(name);
+        const auto world = build<long double>(shipped(name), small_picture());
+        const std::vector<Pixel> all = all_pixels(small_picture().view);
+        for (std::size_t i = 3; i < all.size(); i += 11) {
+            std::vector<Event> events;
+            follow_segments(world, observer_branch(world, all[i].x, all[i].y, all[i].sample), events);
+            EXPECT_EQ(events, observe(world, all[i].x, all[i].y, all[i].sample).events) << i;
+        }
+    }
+}
+
+TEST(OraclePaths, ABranchIsDisturbedInAllItsNumbersByAtMostTheSize)
+{
+    Options options = small_picture();
+    const scene::Scene scene = read("observer { eye [1,2,3]; look [0,1,0] }");
+    Branch<double> branch;
+    branch.o = {5, 2, 3};
+    branch.d = {0, 0, 1};
+    branch.throughput = {0.5, 0.25, 0};
+    const auto same = disturbed(build<double>(scene, options), branch, 7);
+    EXPECT_EQ(same.o, branch.o);
+    options.disturbance = Disturbance{1, 1e-6};
+    const auto world = build<double>(scene, options);
+    const auto one = disturbed(world, branch, 7), other = disturbed(world, branch, 8);
+    for (std::size_t k = 0; k < 3; k++) {
+        EXPECT_NE(one.o[k], branch.o[k]);
+        EXPECT_NEAR(one.o[k], branch.o[k], 4e-6) << "4 from the eye";
+        EXPECT_NE(one.o[k], other.o[k]);
+        EXPECT_NEAR(one.d[k], branch.d[k], 1e-6);
+        EXPECT_NEAR(one.throughput[k], branch.throughput[k], 1e-6 * branch.throughput[k]);
+    }
+    EXPECT_NE(one.d[0], 0);
+    EXPECT_NE(one.throughput[0], branch.throughput[0]);
+}
+
 TEST(OraclePaths, DoNotDependOnHowManyThreadsTraceThem)
 {
     const scene::Scene scene = shipped("drink.clu");

@@ -9,6 +9,9 @@
     template World<Real> build(const scene::Scene&, const Options&);                                                   \
     template Path observe(const World<Real>&, unsigned, unsigned, unsigned);                                           \
     template Path follow(const World<Real>&, const std::array<Real, 3>&, const std::array<Real, 3>&);                  \
+    template Segment<Real> segment(const World<Real>&, const Branch<Real>&);                                           \
+    template Branch<Real> observer_branch(const World<Real>&, unsigned, unsigned, unsigned);                           \
+    template Branch<Real> disturbed(const World<Real>&, const Branch<Real>&, std::uint64_t);                           \
     template std::vector<Path> render(const World<Real>&, std::span<const Pixel>, unsigned);                           \
     template std::optional<Hit<Real>> next(const World<Real>&, const std::array<Real, 3>&, const std::array<Real, 3>&, \
                                            std::span<const Surface>)

@@ -52,6 +52,34 @@ template <class Real>
 std::optional<Hit<Real>> next(const World<Real>& world, const std::array<Real, 3>& o, const std::array<Real, 3>& d,
                               std::span<const Surface> left = {});
 
+/// A ray to be traced, and what is left of the light by its start.
+template <class Real>
+struct Branch {
+    std::array<Real, 3> o{}, d{}; ///< in scene coordinates; d may have any length
+    std::vector<Surface> left;    ///< as for next()
+    unsigned hop = 0;
+    std::array<Real, 3> throughput{Real(1), Real(1), Real(1)}; ///< the product of the filters since the observer
+};
+
+/// A branch's first segment. What follows is not traced.
+template <class Real>
+struct Segment {
+    std::optional<Event> event; ///< as a path that goes on from here has it; none if all would be black at once
+    std::optional<Branch<Real>> reflected, refracted; ///< those that the event says are followed
+};
+
+template <class Real>
+Segment<Real> segment(const World<Real>& world, const Branch<Real>& branch);
+
+/// The observer's ray through sample `sample` of pixel (x, y).
+template <class Real>
+Branch<Real> observer_branch(const World<Real>& world, unsigned x, unsigned y, unsigned sample);
+
+/// The branch as the world's disturbance has it: ray and throughput, each number by an h of its own, which the key
+/// tells from those of other branches.
+template <class Real>
+Branch<Real> disturbed(const World<Real>& world, const Branch<Real>& branch, std::uint64_t key);
+
 /// One primitive surface of an object: value is 0 on it, negative in the primitive's solid, of any scale.
 struct Face {
     std::function<double(scene::Vec3)> value;

@@ -15,6 +15,34 @@ struct Look {
     bool opaque = false, emits = false, fresnel = false;
 };
 
+/// A ray as it starts is known to rounding only. Its numbers come from sums: what rounds counts against the vector's
+/// length, not against each component. key goes on with each number.
+template <class Real>
+Ray<Real> disturbed_ray(const World<Real>& world, const Ray<Real>& ray, std::uint64_t& key)
+{
+    if (!world.disturbance) return ray;
+    const auto disturb = [&](const Vec<Real>& v) {
+        const double size = world.disturbance->size * to_double(length(v));
+        Vec<Real> out = v;
+        for (Real* component : {&out.x, &out.y, &out.z})
+            *component += Real(size * noise(world.disturbance->seed, key += std::uint64_t{1} << 48U));
+        return out;
+    };
+    const Vec<Real>& eye = world.observer.eye;
+    return {eye + disturb(ray.o - eye), unit(disturb(ray.d))};
+}
+
+template <class Real>
+Vec<Real> vec_of(const std::array<Real, 3>& v)
+{
+    return {v[0], v[1], v[2]};
+}
+template <class Real>
+std::array<Real, 3> array_of(const Vec<Real>& v)
+{
+    return {v.x, v.y, v.z};
+}
+
 template <class Real>
 class Tracer {
 public:
@@ -25,8 +53,21 @@ public:
     {
         const Rgb<Real> one{Real(1), Real(1), Real(1)};
         Rgb<Real> color{};
-        trace(Line<Real>(disturbed(ray), {{}, true}), 0, one, one, color);
+        trace(Line<Real>(disturbed_ray(world_, ray, key_), {{}, true}), 0, one, one, color);
         for (std::size_t i = 0; i < 3; i++) path_.rgb[i] = to_double(color[i]);
+    }
+
+    /// Of all that follows only the first segment; the rays that it leaves are not traced, but told.
+    Segment<Real> first(const Branch<Real>& branch)
+    {
+        Segment<Real> out;
+        only_ = &out;
+        const Ray<Real> ray{vec_of(branch.o), unit(vec_of(branch.d))};
+        Rgb<Real> color{};
+        trace(Line<Real>(ray, {branch.left, branch.left.empty()}), branch.hop, branch.throughput, branch.throughput,
+              color);
+        if (!path_.events.empty()) out.event = path_.events.front();
+        return out;
     }
 
 private:
@@ -42,18 +83,24 @@ private:
         return medium == vacuum ? Real(1) : Real(fabs(optics_of(medium).index));
     }
 
+    /// Whether nothing is left to be seen, or cutoff or hop limit end the branch, which is counted.
+    bool ended(unsigned hop, const Rgb<Real>& throughput, const Rgb<Real>& weight)
+    {
+        if (black(throughput)) return true;
+        if (hop < world_.max_hops && !below(throughput, world_.cutoff)) return false;
+        path_.truncated += to_double(larger(weight[0], larger(weight[1], weight[2])));
+        return true;
+    }
+    bool opaque(std::uint32_t medium) const { return medium != vacuum && optics_of(medium).index == 0; }
+
     /// Traces one branch, adds filter x what it sees to color, and says whether it was more than black at once.
     /// throughput is the product of the filters since the observer, weight that and what the media let pass.
     bool trace(const Line<Real>& line, unsigned hop, const Rgb<Real>& throughput, const Rgb<Real>& weight,
                Rgb<Real>& color)
     {
-        if (black(throughput)) return false;
-        if (hop >= world_.max_hops || below(throughput, world_.cutoff)) {
-            path_.truncated += to_double(larger(weight[0], larger(weight[1], weight[2])));
-            return false;
-        }
+        if (ended(hop, throughput, weight)) return false;
         const auto found = Walk<Real>(world_, line).to_surface();
-        if (found.before != vacuum && optics_of(found.before).index == 0) return false;
+        if (opaque(found.before)) return false;
         const std::size_t event = path_.events.size();
         path_.events.push_back({});
         path_.events[event].hop = hop;
@@ -162,10 +209,20 @@ private:
         }
         Rgb<Real> color = hit.before == vacuum ? absorbed(hit, n, look.absorption, event) : Rgb<Real>{};
         const auto branch = [&](const Vec<Real>& direction, const Rgb<Real>& filter, What followed) {
+            const unsigned hop = path_.events[event].hop + 1;
+            const Rgb<Real> next_throughput = times(throughput, filter), next_weight = times(weight, filter);
             Rgb<Real> seen{};
-            const Line<Real> next_line(disturbed({hit.point, direction}), {hit.surfaces, false});
-            if (!trace(next_line, path_.events[event].hop + 1, times(throughput, filter), times(weight, filter), seen))
-                return;
+            if (only_) {
+                const Line<Real> next_line({hit.point, direction}, {hit.surfaces, false});
+                if (ended(hop, next_throughput, next_weight) ||
+                    opaque(Walk<Real>(world_, next_line).to_surface().before))
+                    return;
+                auto& told = followed == what_reflected ? only_->reflected : only_->refracted;
+                told = {array_of(hit.point), array_of(direction), hit.surfaces, hop, next_throughput};
+            } else {
+                const Line<Real> next_line(disturbed_ray(world_, {hit.point, direction}, key_), {hit.surfaces, false});
+                if (!trace(next_line, hop, next_throughput, next_weight, seen)) return;
+            }
             path_.events[event].what |= followed;
             for (std::size_t i = 0; i < 3; i++) color[i] += filter[i] * seen[i];
         };
@@ -194,26 +251,31 @@ private:
         return sum;
     }
 
-    /// A ray as it starts is known to rounding only, too. Its numbers come from sums: what rounds counts against the
-    /// vector's length, not against each component.
-    Ray<Real> disturbed(const Ray<Real>& ray)
-    {
-        if (!world_.disturbance) return ray;
-        const auto disturb = [&](const Vec<Real>& v) {
-            const double size = world_.disturbance->size * to_double(length(v));
-            Vec<Real> out = v;
-            for (Real* component : {&out.x, &out.y, &out.z})
-                *component += Real(size * noise(world_.disturbance->seed, key_ += std::uint64_t{1} << 48U));
-            return out;
-        };
-        const Vec<Real>& eye = world_.observer.eye;
-        return {eye + disturb(ray.o - eye), unit(disturb(ray.d))};
-    }
-
     const World<Real>& world_;
     Path& path_;
     std::uint64_t key_;
+    Segment<Real>* only_ = nullptr; ///< where the first segment is told, if it is all that is asked for
 };
+
+template <class Real>
+Segment<Real> segment(const World<Real>& world, const Branch<Real>& branch)
+{
+    Path path;
+    return Tracer<Real>(world, path, 0).first(branch);
+}
+
+template <class Real>
+Branch<Real> disturbed(const World<Real>& world, const Branch<Real>& branch, std::uint64_t key)
+{
+    if (!world.disturbance) return branch;
+    const Ray<Real> ray = disturbed_ray(world, {vec_of(branch.o), vec_of(branch.d)}, key);
+    Branch<Real> out = branch;
+    out.o = array_of(ray.o);
+    out.d = array_of(ray.d);
+    for (Real& channel : out.throughput)
+        channel *= Real(1 + world.disturbance->size * noise(world.disturbance->seed, key += std::uint64_t{1} << 48U));
+    return out;
+}
 
 template <class Real>
 Path follow(const World<Real>& world, const std::array<Real, 3>& o, const std::array<Real, 3>& d)
@@ -232,17 +294,32 @@ Uv<Real> offset_of(unsigned sample)
 }
 
 template <class Real>
-Path observe(const World<Real>& world, unsigned x, unsigned y, unsigned sample)
+Ray<Real> observer_ray(const World<Real>& world, unsigned x, unsigned y, unsigned sample)
 {
     const Observer<Real>& eye = world.observer;
     const Uv<Real> within = offset_of<Real>(sample);
     const Real u = (Real(x) + within.u) / Real(world.width) - Real(0.5);
     const Real v = (Real(y) + within.v) / Real(world.height) - Real(0.5);
     const Vec<Real> across = eye.column * u + eye.row * v;
-    const Ray<Real> ray{eye.window ? eye.eye + across : eye.eye, unit(eye.forward + across)};
+    return {eye.window ? eye.eye + across : eye.eye, unit(eye.forward + across)};
+}
+
+template <class Real>
+Branch<Real> observer_branch(const World<Real>& world, unsigned x, unsigned y, unsigned sample)
+{
+    const Ray<Real> ray = observer_ray(world, x, y, sample);
+    Branch<Real> out;
+    out.o = array_of(ray.o);
+    out.d = array_of(ray.d);
+    return out;
+}
+
+template <class Real>
+Path observe(const World<Real>& world, unsigned x, unsigned y, unsigned sample)
+{
     const std::uint64_t key = (std::uint64_t{y} * world.width + x) * 4096 + sample % 4096;
     Path path;
-    Tracer<Real>(world, path, key).from(ray);
+    Tracer<Real>(world, path, key).from(observer_ray(world, x, y, sample));
     return path;
 }
 
