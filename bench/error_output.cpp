@@ -132,6 +132,7 @@ nlohmann::ordered_json report_json(const NamedError& of, const ErrorReport& r, c
         {"stuck", s.stuck},
         {"truncated", truncated(r)}};
     if (settings.costs) {
+        j["cost_of_rounding"] = cost_json(of.error.rounding);
         j["cost_of_colors"] = cost_json(of.error.colors);
         j["cost_of_cutoff"] = cost_json(of.error.cutoff);
         j["cost_of_hops"] = cost_json(of.error.hops);
@@ -151,6 +152,7 @@ void print_error(std::FILE* to, const NamedError& result, const ErrorSettings& s
     fmt::print(to, "{}, {}x{}\n", result.scene, settings.picture.width, settings.picture.height);
     for (const ErrorReport& r : result.error.reports) print_report(to, r);
     if (!settings.costs) return;
+    print_cost(to, "cost of one rounding", result.error.rounding);
     print_cost(to, "cost of 32-bit filters", result.error.colors);
     print_cost(to, "cost of the cutoff", result.error.cutoff);
     print_cost(to, "cost of the hop limit", result.error.hops);
@@ -158,17 +160,15 @@ void print_error(std::FILE* to, const NamedError& result, const ErrorSettings& s
 
 void print_tables(std::FILE* to, std::span<const NamedError> results, const ErrorSettings& settings)
 {
-    fmt::print(to, "| scene | precision | variant | ms | flips, ppm | within 4 hops | step by step | unexplained | max "
-                   "| p99.9 | RMSE "
-                   "| PSNR, dB | "
-                   "equal, % | PSNR of all | mean FLIP | hit error, u | parity | NaN |\n"
-                   "|---|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+    fmt::print(to,
+               "| scene | precision | variant | ms | flips, ppm | within 4 hops | step by step | unexplained "
+               "| max | p99.9 | RMSE | PSNR, dB | equal, % | PSNR of all | mean FLIP | hit error, u | parity | NaN |\n"
+               "|---|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
     for (const NamedError& result : results)
         for (const ErrorReport& r : result.error.reports)
             fmt::print(to,
                        "| {} | {} | {} | {:.1f} | {:.4g} | {:.4g} | {} | {:.0f} | {:.1e} | {:.1e} | {:.1e} | {} | "
-                       "{:.4f} | {} | "
-                       "{:.1e} | {:.1f} | {} | {} |\n",
+                       "{:.4f} | {} | {:.1e} | {:.1f} | {} | {} |\n",
                        result.scene, precision_name(r.contender.precision), r.contender.variant, r.milliseconds,
                        per_million(static_cast<double>(r.flips), r),
                        per_million(static_cast<double>(r.shallow_flips), r), r.explained.step_by_step,
@@ -176,13 +176,13 @@ void print_tables(std::FILE* to, std::span<const NamedError> results, const Erro
                        decibels(r.agreeing.psnr), 100 * r.agreeing_equal, decibels(r.all.psnr), r.flip, r.kernel.worst,
                        r.statistics.parity, r.statistics.nan);
     if (!settings.costs) return;
-    fmt::print(to, "\n| scene | truncated | 32-bit filters: RMSE | max | cutoff: RMSE | max | hop limit: RMSE | max |\n"
-                   "|---|---:|---:|---:|---:|---:|---:|---:|\n");
+    fmt::print(to, "\n| scene | one rounding: RMSE | max | truncated | 32-bit filters: RMSE | max | cutoff: RMSE | max "
+                   "| hop limit: RMSE | max |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
     for (const NamedError& result : results) {
         const SceneError& e = result.error;
-        fmt::print(to, "| {} | {:.1e} | {:.1e} | {:.1e} | {:.1e} | {:.1e} | {:.1e} | {:.1e} |\n", result.scene,
-                   truncated(e.reports.front()), e.colors.rmse, e.colors.max_error, e.cutoff.rmse, e.cutoff.max_error,
-                   e.hops.rmse, e.hops.max_error);
+        fmt::print(to, "| {} | {:.1e} | {:.1e} | {:.1e} | {:.1e} | {:.1e} | {:.1e} | {:.1e} | {:.1e} | {:.1e} |\n",
+                   result.scene, e.rounding.rmse, e.rounding.max_error, truncated(e.reports.front()), e.colors.rmse,
+                   e.colors.max_error, e.cutoff.rmse, e.cutoff.max_error, e.hops.rmse, e.hops.max_error);
     }
 }
 

@@ -18,7 +18,6 @@ namespace {
 constexpr std::size_t chunk_pixels = 8192;
 constexpr unsigned usual_events = 64; ///< of a path; those with more are traced again
 constexpr double near = 1e-5;         ///< an error of a channel from which on the oracle is asked more precisely
-constexpr std::size_t most_cost_pixels = 14400;
 constexpr std::size_t sampled_flips = 500;
 constexpr unsigned sampled_seeds = 60, shallow_hops = 4;
 constexpr double less_cutoff = 16, more_hops = 2;
@@ -182,29 +181,6 @@ void compare_pictures(Contest& contest, const host::Picture& truth)
     report.flip = host::flip(report.picture, truth).mean;
 }
 
-Cost cost_of(const host::Picture& a, const host::Picture& b)
-{
-    const host::Comparison c = host::compare(a, b, 0);
-    return {c.rmse, c.max_error, c.psnr};
-}
-
-Cost cost_of_colors(const scene::Scene& scene, const oracle::Options& options, std::span<const oracle::Pixel> pixels,
-                    unsigned threads)
-{
-    std::vector<oracle::Pixel> some;
-    const std::size_t step = (pixels.size() + most_cost_pixels - 1) / most_cost_pixels;
-    for (std::size_t i = 0; i < pixels.size(); i += step) some.push_back(pixels[i]);
-    const auto picture = [&](bool stored) {
-        oracle::Options o = options;
-        o.stored_colors = stored;
-        host::Picture out = host::make_picture(static_cast<unsigned>(some.size()), 1);
-        const std::vector<oracle::Path> paths = make_truth(scene, o, RealType::float64, threads)(some);
-        for (unsigned i = 0; i < some.size(); i++) set_pixel(out, {i, 0, 0}, paths[i].rgb);
-        return out;
-    };
-    return cost_of(picture(true), picture(false));
-}
-
 /// Of what the scene's own settings spare.
 void measure_costs(SceneError& out, const host::SceneSource& source, const scene::View& view, Contest& contest)
 {
@@ -274,6 +250,7 @@ SceneError measure_error(const host::SceneSource& source, const host::Device& de
                                                       contest->settings, by.names, settings.threads);
     }
     if (settings.costs) {
+        out.rounding = cost_of_rounding(source.scene, options, pixels, settings.threads);
         out.colors = cost_of_colors(source.scene, options, pixels, settings.threads);
         measure_costs(out, source, view, *field.front());
     }

@@ -1,6 +1,7 @@
 /// The error of a scene's pictures against the oracle (docs/numerics.md has the definitions).
 #pragma once
 
+#include "bench/costs.h"
 #include "bench/flips.h"
 #include "bench/kernel_error.h"
 #include "bench/truth.h"
@@ -27,7 +28,7 @@ struct ErrorSettings {
     std::size_t most_explained = 20000; ///< flips that are looked into, of each contender (500 of variants)
     unsigned seeds = 1000;              ///< disturbances that a step is tried in at most (60 of variants)
     unsigned repeats = 3;               ///< pictures that are timed
-    bool costs = true;                  ///< also what compressed colours, cutoff and hop limit cost
+    bool costs = true;                  ///< also what one rounding, compressed colours, cutoff and hop limit cost
     unsigned threads = 1;               ///< of the oracle
 };
 
@@ -48,17 +49,13 @@ struct ErrorReport {
     host::Picture picture; ///< as the kernels made it
 };
 
-/// How far apart pictures are with and without what is spared.
-struct Cost {
-    double rmse = 0, max_error = 0, psnr = 0;
-};
-
 struct SceneError {
     std::vector<ErrorReport> reports; ///< of each contender
     host::Picture truth;
-    Cost colors; ///< filters in 32 bits against exact ones; the oracle, every few pixels
-    Cost cutoff; ///< against a sixteenth of the cutoff; the first contender's kernels
-    Cost hops;   ///< against twice as many hops; likewise
+    Cost rounding; ///< of every number once
+    Cost colors;   ///< filters in 32 bits against exact ones
+    Cost cutoff;   ///< against a sixteenth of the cutoff; the first contender's kernels
+    Cost hops;     ///< against twice as many hops; likewise
 };
 
 /// The flips looked at that are not explained, put in proportion to all.

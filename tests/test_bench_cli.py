@@ -50,7 +50,7 @@ class BenchCli(unittest.TestCase):
             self.assertLess(b["rmse"], 2e-6)
             for key in ("real_time", "flips_ppm", "max_error", "p999", "psnr", "mean_flip", "kernel_worst"):
                 self.assertIn(key, b)
-            for key in ("cost_of_colors", "cost_of_cutoff", "cost_of_hops"):
+            for key in ("cost_of_rounding", "cost_of_colors", "cost_of_cutoff", "cost_of_hops"):
                 self.assertGreaterEqual(b[key]["rmse"], 0)
 
     def test_a_picture_shows_where_the_error_is(self):

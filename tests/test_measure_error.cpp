@@ -50,6 +50,8 @@ TEST(MeasureError, TheKernelsAgreeWithTheOracleOnGlassUpToRounding)
     }
     EXPECT_GT(e.reports[0].agreeing.rmse, 0) << "float pictures are never exact";
     EXPECT_LT(e.reports[1].agreeing.rmse, e.reports[0].agreeing.rmse) << "double is nearer";
+    EXPECT_GT(e.rounding.rmse, 1e-9);
+    EXPECT_LT(e.rounding.rmse, 2e-6);
     EXPECT_GT(e.colors.rmse, 0) << "0.1, 0.9 and 0.2 are not among the stored colours";
 }
 
@@ -61,7 +63,7 @@ sky color 0.5
 object { solid sphere([0, 0, 1], 1); optics { reflection 1 } }
 )"),
                                        device(), small(), {});
-    for (const Cost& cost : {e.colors, e.cutoff, e.hops}) EXPECT_EQ(cost.max_error, 0);
+    for (const Cost& cost : {e.rounding, e.colors, e.cutoff, e.hops}) EXPECT_EQ(cost.max_error, 0);
     EXPECT_EQ(e.reports[0].all.max_error, 0);
     EXPECT_EQ(e.reports[0].flips, 0U);
 }
