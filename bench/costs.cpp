@@ -37,7 +37,8 @@ Cost cost_of_paths(const std::vector<oracle::Path>& a, const std::vector<oracle:
 Cost cost_of(const host::Picture& a, const host::Picture& b)
 {
     const host::Comparison c = host::compare(a, b, 0);
-    return {c.rmse, c.max_error, c.psnr};
+    const double equal = static_cast<double>(host::compare_bytes(a, b).equal);
+    return {c.rmse, c.max_error, c.psnr, equal / (static_cast<double>(a.width) * a.height)};
 }
 
 Cost cost_of_colors(const scene::Scene& scene, const oracle::Options& options, std::span<const oracle::Pixel> pixels,

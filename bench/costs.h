@@ -9,6 +9,7 @@ namespace clucida::bench {
 /// How far apart pictures are with and without what is spared.
 struct Cost {
     double rmse = 0, max_error = 0, psnr = 0;
+    double equal = 1; ///< the share of pixels whose 8-bit values are all the same
 };
 
 Cost cost_of(const host::Picture& a, const host::Picture& b);

@@ -43,8 +43,8 @@ std::string decibels(double psnr)
 
 void print_cost(std::FILE* to, const char* what, const Cost& cost)
 {
-    fmt::print(to, "  {:<22} rmse {:.2g}, max {:.2g}, psnr {} dB\n", what, cost.rmse, cost.max_error,
-               decibels(cost.psnr));
+    fmt::print(to, "  {:<22} rmse {:.2g}, max {:.2g}, psnr {} dB; {:.4f} % equal in 8 bits\n", what, cost.rmse,
+               cost.max_error, decibels(cost.psnr), 100 * cost.equal);
 }
 
 void print_report(std::FILE* to, const ErrorReport& r)
@@ -79,7 +79,7 @@ nlohmann::ordered_json number(double x)
 
 nlohmann::ordered_json cost_json(const Cost& c)
 {
-    return {{"rmse", c.rmse}, {"max_error", c.max_error}, {"psnr", number(c.psnr)}};
+    return {{"rmse", c.rmse}, {"max_error", c.max_error}, {"psnr", number(c.psnr)}, {"equal_8_bit", c.equal}};
 }
 
 nlohmann::ordered_json report_json(const NamedError& of, const ErrorReport& r, const ErrorSettings& settings)
@@ -176,13 +176,16 @@ void print_tables(std::FILE* to, std::span<const NamedError> results, const Erro
                        decibels(r.agreeing.psnr), 100 * r.agreeing_equal, decibels(r.all.psnr), r.flip, r.kernel.worst,
                        r.statistics.parity, r.statistics.nan);
     if (!settings.costs) return;
-    fmt::print(to, "\n| scene | one rounding: RMSE | max | truncated | 32-bit filters: RMSE | max | cutoff: RMSE | max "
-                   "| hop limit: RMSE | max |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+    fmt::print(
+        to,
+        "\n| scene | one rounding: RMSE | max | equal, % | truncated | 32-bit filters: RMSE | max | cutoff: RMSE | max "
+        "| hop limit: RMSE | max |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
     for (const NamedError& result : results) {
         const SceneError& e = result.error;
-        fmt::print(to, "| {} | {:.1e} | {:.1e} | {:.1e} | {:.1e} | {:.1e} | {:.1e} | {:.1e} | {:.1e} | {:.1e} |\n",
-                   result.scene, e.rounding.rmse, e.rounding.max_error, truncated(e.reports.front()), e.colors.rmse,
-                   e.colors.max_error, e.cutoff.rmse, e.cutoff.max_error, e.hops.rmse, e.hops.max_error);
+        fmt::print(
+            to, "| {} | {:.1e} | {:.1e} | {:.4f} | {:.1e} | {:.1e} | {:.1e} | {:.1e} | {:.1e} | {:.1e} | {:.1e} |\n",
+            result.scene, e.rounding.rmse, e.rounding.max_error, 100 * e.rounding.equal, truncated(e.reports.front()),
+            e.colors.rmse, e.colors.max_error, e.cutoff.rmse, e.cutoff.max_error, e.hops.rmse, e.hops.max_error);
     }
 }
 

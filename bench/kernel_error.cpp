@@ -56,7 +56,9 @@ std::vector<Record> launch(host::Renderer& renderer, cl::Kernel& kernel, std::ve
     kernel.setArg(argument++, cl_uint{steps});
     kernel.setArg(argument++, number_buffer);
     kernel.setArg(argument, mark_buffer);
-    renderer.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(pixels.size()));
+    const std::size_t group = area(host::group_of(kernel, renderer.device));
+    const std::size_t items = (pixels.size() + group - 1) / group * group;
+    renderer.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(items), cl::NDRange(group));
     renderer.queue.enqueueReadBuffer(number_buffer, CL_TRUE, 0, bytes(numbers), numbers.data());
     renderer.queue.enqueueReadBuffer(mark_buffer, CL_TRUE, 0, bytes(marks), marks.data());
 

@@ -41,12 +41,6 @@ void prepare_program(Renderer& renderer, const scene::Needs& needs, const Render
     frame.note = renderer.program.note;
 }
 
-Shape group_of(const cl::Kernel& kernel, const Device& device)
-{
-    const auto most = kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(device.handle);
-    return choose_group(std::min<std::size_t>(most, device.info.max_group));
-}
-
 Shape tile_of(Tracer& tracer, const RenderSettings& settings)
 {
     if (settings.tile) return round_up(*settings.tile, tracer.group);
@@ -95,6 +89,12 @@ bool enlarge(scene::Needs& needs, const Statistics& statistics)
 }
 
 } // namespace
+
+Shape group_of(const cl::Kernel& kernel, const Device& device)
+{
+    const auto most = kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(device.handle);
+    return choose_group(std::min<std::size_t>(most, device.info.max_group));
+}
 
 Renderer make_renderer(const Device& device)
 {

@@ -71,6 +71,10 @@ using DeviceBuffers = std::array<cl::Buffer, BUFFER_COUNT>;
 /// @throws Failure if the device cannot hold it, cl::Error
 DeviceBuffers upload(const Renderer& renderer, const scene::Buffers& buffers);
 
+/// The work-group for a kernel that traces. Never left to the implementation: PoCL keeps what all items of a group hold
+/// on one stack, which a group of thousands overflows.
+Shape group_of(const cl::Kernel& kernel, const Device& device);
+
 /// Renders one frame; the picture is the same to the byte whatever the tiles. A capacity that proves too small is
 /// doubled, up to 512, and the frame rendered again.
 /// @throws Failure if the device fails or cannot hold the scene, Interrupted if hooks.cancelled says so

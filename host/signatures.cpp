@@ -9,7 +9,6 @@
 namespace clucida::host {
 namespace {
 
-constexpr std::size_t group_items = 64;
 constexpr std::size_t stats_count = std::size_t{STAT_SLOTS} * STAT_COUNT;
 constexpr std::size_t most_events = std::size_t{1} << 22; ///< of a launch: 80 MiB
 constexpr std::size_t most_rays = std::size_t{1} << 20;   ///< likewise
@@ -70,8 +69,9 @@ void trace_batch(PathTracer& t, std::span<const Pixel> pixels, unsigned sample, 
     t.kernel.setArg(argument++, log);
     t.kernel.setArg(argument++, rays);
     t.kernel.setArg(argument, stats);
-    const std::size_t items = (count + group_items - 1) / group_items * group_items;
-    queue.enqueueNDRangeKernel(t.kernel, cl::NullRange, cl::NDRange(items), cl::NDRange(group_items));
+    const std::size_t group = area(group_of(t.kernel, t.renderer.device));
+    const std::size_t items = (count + group - 1) / group * group;
+    queue.enqueueNDRangeKernel(t.kernel, cl::NullRange, cl::NDRange(items), cl::NDRange(group));
 
     std::vector<float> rgba(count * 4);
     std::vector<Signature> found(count);
