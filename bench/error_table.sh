@@ -3,7 +3,7 @@
 # bench/error_table.sh [options of clucida-bench error], about 20 minutes on two cores. Build first (scripts/demo).
 set -euo pipefail
 cd "$(dirname "$0")/.."
-float=$(build/clucida-bench error scenes/*.clu --variant naive,reoriginated,full --markdown "$@")
+float=$(build/clucida-bench error scenes/*.clu --variant full,reoriginated,naive --markdown "$@")
 double=$(build/clucida-bench error scenes/*.clu --precision double --no-costs --markdown "$@")
 sed '/^$/,$d' <<<"$float"
 tail -n +3 <<<"$double"

@@ -78,7 +78,7 @@ static inline int quadric_is_convex(__global const LayoutQuadric* q)
 
 /* Near an asymptote, where a is less than this part of |d|^2, a fades, and b and the discriminant with it: there every
  * sum carries its rounding errors along. */
-#define NEAR_ASYMPTOTE R(0.125f)
+#define NEAR_ASYMPTOTE R(0.5f)
 
 static inline void quadric_line_near_asymptote(__global const LayoutQuadric* q, vec part, QuadricLine* l)
 {
