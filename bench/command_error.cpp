@@ -132,7 +132,8 @@ void add_options(CLI::App& command, ErrorOptions& o)
         ->check(host::number_within(1, 1000))
         ->option_text("N")
         ->capture_default_str();
-    command.add_flag("--no-costs", o.no_costs, "leave out what one rounding, compressed colours, cutoff and hop limit cost");
+    command.add_flag("--no-costs", o.no_costs,
+                     "leave out what one rounding, compressed colours, cutoff and hop limit cost");
     command.add_option("-o,--output", o.output, "write a picture of where the error is; -: standard output")
         ->option_text("FILE");
     CLI::Option* json = command.add_flag("--json", o.json, "in the shape of Google Benchmark's");
