@@ -6,8 +6,7 @@
 #include "kernels/unit.h"
 
 #ifdef CLU_SIGNATURE
-/* A path's events: how many there were, their hash, and the first of them; and the first of the rays they began with.
- */
+/* A path's events: how many there were, their hash, the first of them, and the first rays that they began with. */
 typedef struct {
     u32 count, hash, capacity, ray_capacity;
     __global LayoutEvent* log;
