@@ -34,32 +34,28 @@ Cost cost_of_paths(const std::vector<oracle::Path>& a, const std::vector<oracle:
 
 } // namespace
 
+double equal_share(const host::Picture& a, const host::Picture& b)
+{
+    const double pixels = static_cast<double>(a.width) * a.height;
+    return pixels > 0 ? static_cast<double>(host::compare_bytes(a, b).equal) / pixels : 1;
+}
+
 Cost cost_of(const host::Picture& a, const host::Picture& b)
 {
     const host::Comparison c = host::compare(a, b, 0);
-    const double equal = static_cast<double>(host::compare_bytes(a, b).equal);
-    return {c.rmse, c.max_error, c.psnr, equal / (static_cast<double>(a.width) * a.height)};
+    return {c.rmse, c.max_error, c.psnr, equal_share(a, b)};
 }
 
-Cost cost_of_colors(const scene::Scene& scene, const oracle::Options& options, std::span<const oracle::Pixel> pixels,
-                    unsigned threads)
+OracleCosts oracle_costs(const scene::Scene& scene, const scene::View& view, std::span<const oracle::Pixel> pixels,
+                         unsigned threads)
 {
     const std::vector<oracle::Pixel> some = some_of(pixels);
-    oracle::Options stored = options, exact = options;
-    stored.stored_colors = true;
-    exact.stored_colors = false;
-    return cost_of_paths(make_truth(scene, stored, RealType::float64, threads)(some),
-                         make_truth(scene, exact, RealType::float64, threads)(some), Which::all);
-}
-
-Cost cost_of_rounding(const scene::Scene& scene, const oracle::Options& options, std::span<const oracle::Pixel> pixels,
-                      unsigned threads)
-{
-    const std::vector<oracle::Pixel> some = some_of(pixels);
-    oracle::Options disturbed = options;
-    disturbed.disturbance = {1, 0x1p-24};
-    return cost_of_paths(make_truth(scene, disturbed, RealType::float64, threads)(some),
-                         make_truth(scene, options, RealType::float64, threads)(some), Which::same_paths);
+    const auto paths = [&](const oracle::Options& options) {
+        return make_truth(scene, options, RealType::float64, threads)(some);
+    };
+    const std::vector<oracle::Path> as_is = paths({view, true, {}});
+    return {cost_of_paths(paths({view, true, oracle::Disturbance{1, 0x1p-24}}), as_is, Which::same_paths),
+            cost_of_paths(as_is, paths({view, false, {}}), Which::all)};
 }
 
 } // namespace clucida::bench

@@ -1,5 +1,6 @@
 #include "bench/kernel_error.h"
 
+#include "bench/share_work.h"
 #include "host/compare.h"
 #include "host/errors.h"
 #include "host/signatures.h"
@@ -8,9 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <thread>
 
 namespace clucida::bench {
 namespace {
@@ -56,9 +55,7 @@ std::vector<Record> launch(host::Renderer& renderer, cl::Kernel& kernel, std::ve
     kernel.setArg(argument++, cl_uint{steps});
     kernel.setArg(argument++, number_buffer);
     kernel.setArg(argument, mark_buffer);
-    const std::size_t group = area(host::group_of(kernel, renderer.device));
-    const std::size_t items = (pixels.size() + group - 1) / group * group;
-    renderer.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(items), cl::NDRange(group));
+    host::enqueue_each(renderer, kernel, pixels.size());
     renderer.queue.enqueueReadBuffer(number_buffer, CL_TRUE, 0, bytes(numbers), numbers.data());
     renderer.queue.enqueueReadBuffer(mark_buffer, CL_TRUE, 0, bytes(marks), marks.data());
 
@@ -160,16 +157,9 @@ KernelError measure_kernel_error(host::Renderer& renderer, const scene::Scene& s
     const std::vector<Record> records = trace_records(renderer, compiled, needs, settings);
     const auto world = oracle::build<Real>(scene, {});
     std::vector<Judge> judges(threads, Judge{world, compiled, names});
-    std::atomic<std::size_t> next{0};
-    const auto work = [&](Judge& judge) {
-        for (std::size_t i = next++; i < records.size() / steps; i = next++)
-            judge.add(std::span(records).subspan(i * steps, steps));
-    };
-    {
-        std::vector<std::jthread> team;
-        for (unsigned i = 1; i < threads; i++) team.emplace_back([&, i] { work(judges[i]); });
-        work(judges[0]);
-    }
+    share_work(records.size() / steps, threads, [&](std::size_t i, unsigned worker) {
+        judges[worker].add(std::span(records).subspan(i * steps, steps));
+    });
 
     KernelError out;
     std::vector<double> errors;

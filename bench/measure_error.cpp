@@ -175,8 +175,7 @@ void compare_pictures(Contest& contest, const host::Picture& truth)
         return std::ranges::any_of(f.divergences, [](const Divergence& d) { return d.oracle.hop < shallow_hops; });
     }));
     report.agreeing = host::compare(mine, its, 0);
-    const host::ByteComparison bytes = host::compare_bytes(mine, its);
-    report.agreeing_equal = mine.width ? static_cast<double>(bytes.equal) / mine.width : 1;
+    report.agreeing_equal = equal_share(mine, its);
     report.all = host::compare(report.picture, truth, 0);
     report.flip = host::flip(report.picture, truth).mean;
 }
@@ -250,8 +249,9 @@ SceneError measure_error(const host::SceneSource& source, const host::Device& de
                                                       contest->settings, by.names, settings.threads);
     }
     if (settings.costs) {
-        out.rounding = cost_of_rounding(source.scene, options, pixels, settings.threads);
-        out.colors = cost_of_colors(source.scene, options, pixels, settings.threads);
+        const OracleCosts costs = oracle_costs(source.scene, view, pixels, settings.threads);
+        out.rounding = costs.rounding;
+        out.colors = costs.colors;
         measure_costs(out, source, view, *field.front());
     }
     for (const auto& contest : field) out.reports.push_back(std::move(contest->report));

@@ -1,6 +1,7 @@
 #include "bench/steps.h"
 
 #include "bench/disturbances.h"
+#include "bench/share_work.h"
 #include "host/errors.h"
 #include "host/interrupt.h"
 #include "kernels/layout.h"
@@ -8,9 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <thread>
 
 namespace clucida::bench {
 namespace {
@@ -30,7 +29,7 @@ double distance(const Three& a, const Three& b)
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/// What is left of a ray's direction is its length, which the oracle does not look at.
+/// The oracle's directions are of length 1, the kernels' to rounding only.
 SegmentRay with_unit_direction(SegmentRay ray)
 {
     const double length = std::hypot(ray.d[0], ray.d[1], ray.d[2]);
@@ -184,14 +183,7 @@ std::vector<Verdict> judge_steps(const scene::Scene& scene, const oracle::Option
         disturbed.disturbance.reset();
         if (seed > 0) disturbed.disturbance = flip_disturbance_of(seed);
         const auto world = oracle::build<double>(scene, disturbed);
-        std::atomic<std::size_t> next{0};
-        const auto work = [&] {
-            for (std::size_t i = next++; i < open.size(); i = next++) open[i].try_world(world);
-        };
-        std::vector<std::jthread> team;
-        for (unsigned i = 1; i < threads; i++) team.emplace_back(work);
-        work();
-        team.clear();
+        share_work(open.size(), threads, [&](std::size_t i, unsigned) { open[i].try_world(world); });
         std::vector<Judge> still;
         for (Judge& judge : open)
             if (!judge.done()) still.push_back(std::move(judge));

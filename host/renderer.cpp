@@ -41,6 +41,12 @@ void prepare_program(Renderer& renderer, const scene::Needs& needs, const Render
     frame.note = renderer.program.note;
 }
 
+Shape group_of(const cl::Kernel& kernel, const Device& device)
+{
+    const auto most = kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(device.handle);
+    return choose_group(std::min<std::size_t>(most, device.info.max_group));
+}
+
 Shape tile_of(Tracer& tracer, const RenderSettings& settings)
 {
     if (settings.tile) return round_up(*settings.tile, tracer.group);
@@ -90,10 +96,11 @@ bool enlarge(scene::Needs& needs, const Statistics& statistics)
 
 } // namespace
 
-Shape group_of(const cl::Kernel& kernel, const Device& device)
+void enqueue_each(const Renderer& renderer, const cl::Kernel& kernel, std::size_t count)
 {
-    const auto most = kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(device.handle);
-    return choose_group(std::min<std::size_t>(most, device.info.max_group));
+    const std::size_t group = area(group_of(kernel, renderer.device));
+    const std::size_t items = (count + group - 1) / group * group;
+    renderer.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(items), cl::NDRange(group));
 }
 
 Renderer make_renderer(const Device& device)

@@ -71,9 +71,10 @@ using DeviceBuffers = std::array<cl::Buffer, BUFFER_COUNT>;
 /// @throws Failure if the device cannot hold it, cl::Error
 DeviceBuffers upload(const Renderer& renderer, const scene::Buffers& buffers);
 
-/// The work-group for a kernel that traces. Never left to the implementation: PoCL keeps what all items of a group hold
-/// on one stack, which a group of thousands overflows.
-Shape group_of(const cl::Kernel& kernel, const Device& device);
+/// Launches a kernel that traces with an item for each of `count` things, and some that are to spare: the work-group is
+/// not left to the implementation. PoCL keeps what all items of a group hold on one stack, which a group of thousands
+/// overflows. @throws cl::Error
+void enqueue_each(const Renderer& renderer, const cl::Kernel& kernel, std::size_t count);
 
 /// Renders one frame; the picture is the same to the byte whatever the tiles. A capacity that proves too small is
 /// doubled, up to 512, and the frame rendered again.

@@ -69,9 +69,7 @@ void trace_batch(PathTracer& t, std::span<const Pixel> pixels, unsigned sample, 
     t.kernel.setArg(argument++, log);
     t.kernel.setArg(argument++, rays);
     t.kernel.setArg(argument, stats);
-    const std::size_t group = area(group_of(t.kernel, t.renderer.device));
-    const std::size_t items = (count + group - 1) / group * group;
-    queue.enqueueNDRangeKernel(t.kernel, cl::NullRange, cl::NDRange(items), cl::NDRange(group));
+    enqueue_each(t.renderer, t.kernel, count);
 
     std::vector<float> rgba(count * 4);
     std::vector<Signature> found(count);

@@ -2,14 +2,13 @@
 /// what never must happen. Prints a table; exits with 1 if a bound is broken. docs/numerics.md has its results.
 #include "many_rays_make.h"
 
+#include "bench/share_work.h"
 #include "scene/write.h"
 
-#include <atomic>
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fstream>
 #include <iostream>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -212,25 +211,17 @@ private:
 template <typename P>
 Tally try_kind(const Kind& kind, std::uint64_t rays, std::uint64_t seed, unsigned threads)
 {
-    Tally all;
-    std::mutex guard;
     const std::uint64_t solids = (rays + rays_of_a_solid - 1) / rays_of_a_solid;
-    std::atomic<std::uint64_t> next{0};
-    const auto work = [&] {
-        Tally tally;
-        for (std::uint64_t i = next++; i < solids; i = next++) {
-            Random random(seed * 0x9e3779b97f4a7c15ULL + i);
-            Trial<P> trial(random_solid(random, kind), kind.most_units, random, tally);
-            const std::uint64_t enough = tally.rays + rays_of_a_solid;
-            for (unsigned k = 0; k < attempts_at_a_solid && tally.rays < enough; k++) trial.ray();
-        }
-        const std::scoped_lock lock(guard);
-        all.add(tally);
-    };
-    std::vector<std::jthread> pool;
-    for (unsigned i = 0; i < threads; i++) pool.emplace_back(work);
-    pool.clear();
-    return all;
+    std::vector<Tally> tallies(threads);
+    bench::share_work(solids, threads, [&](std::uint64_t i, unsigned worker) {
+        Tally& tally = tallies[worker];
+        Random random(seed * 0x9e3779b97f4a7c15ULL + i);
+        Trial<P> trial(random_solid(random, kind), kind.most_units, random, tally);
+        const std::uint64_t enough = tally.rays + rays_of_a_solid;
+        for (unsigned k = 0; k < attempts_at_a_solid && tally.rays < enough; k++) trial.ray();
+    });
+    for (std::size_t i = 1; i < tallies.size(); i++) tallies[0].add(tallies[i]);
+    return tallies[0];
 }
 
 nlohmann::json to_json(const std::string& name, const Tally& t)

@@ -2,9 +2,7 @@
 #pragma once
 
 #include "bench/oracle/light_impl.h"
-
-#include <atomic>
-#include <thread>
+#include "bench/share_work.h"
 
 namespace clucida::oracle {
 
@@ -327,15 +325,9 @@ template <class Real>
 std::vector<Path> render(const World<Real>& world, std::span<const Pixel> pixels, unsigned threads)
 {
     std::vector<Path> paths(pixels.size());
-    std::atomic<std::size_t> next_pixel{0};
-    const auto work = [&] {
-        for (std::size_t i = next_pixel++; i < pixels.size(); i = next_pixel++)
-            paths[i] = observe(world, pixels[i].x, pixels[i].y, pixels[i].sample);
-    };
-    std::vector<std::jthread> team;
-    for (unsigned i = 1; i < threads; i++) team.emplace_back(work);
-    work();
-    team.clear();
+    bench::share_work(pixels.size(), threads, [&](std::size_t i, unsigned) {
+        paths[i] = observe(world, pixels[i].x, pixels[i].y, pixels[i].sample);
+    });
     return paths;
 }
 
