@@ -16,9 +16,9 @@ struct InspectOptions {
     bool json = false, print = false;
 };
 
-constexpr const char* buffer_names[BUFFER_COUNT] = {"frame",    "objects", "groups",   "members", "programs",
-                                                    "planes",   "spheres", "quadrics", "tori",    "optics",
-                                                    "textures", "images",  "texels",   "lights",  "starts"};
+constexpr const char* buffer_names[] = {"frame",  "objects", "groups",   "members", "programs", "planes",
+                                                    "blocks", "spheres", "quadrics", "tori",    "optics",   "textures",
+                                                    "images", "texels",  "lights",   "starts"};
 
 std::vector<std::string> feature_list(const scene::Needs& needs)
 {

@@ -82,11 +82,42 @@ static inline Span span_simplified(Span s)
     return s;
 }
 
+#ifdef CLU_PLANE
+/* The slope of the plane that a block's lane holds, whose reference goes to *face. */
+static inline real block_slope(const World* world, __global const LayoutPlaneBlock* block, wide_mask lanes,
+                               const Line* line, u32* face)
+{
+    const u32 plane = block->plane[first_lane(wide_bits(lanes))];
+    *face = MEMBER_PLANE | plane << MEMBER_SHIFT;
+    return plane_slope(&world->planes[plane], line, just_left(line, *face));
+}
+
+/* Cuts the span down to what lies behind a block's planes. */
+static inline void cut_block(const World* world, __global const LayoutPlaneBlock* block, const Line* line, Span* span)
+{
+    wide ends_lo, ends_hi;
+    plane_block_ends(block, line, &ends_lo, &ends_hi);
+    const real lo = wide_largest(ends_lo), hi = wide_smallest(ends_hi);
+    if (lo > span->lo) {
+        span->lo = lo;
+        span->slope_lo = block_slope(world, block, ends_lo == wide_all(lo), line, &span->face_lo);
+    }
+    if (hi < span->hi) {
+        span->hi = hi;
+        span->slope_hi = block_slope(world, block, ends_hi == wide_all(hi), line, &span->face_hi);
+    }
+}
+#endif
+
 /* The intersection of convex members, or a single member of any kind; turned inside out if the group says so. */
 static inline Span group_span(const World* world, const LayoutGroup group, const Line* line)
 {
-    Span span = member_span(world, world->members[group.begin], line);
-    for (u32 i = 1; i < group.count && span.lo < span.hi; i++) {
+    Span span = group.single ? member_span(world, world->members[group.begin], line) : span_everything();
+#ifdef CLU_PLANE
+    for (u32 i = 0; i < group.block_count && span.lo < span.hi; i++)
+        cut_block(world, &world->blocks[group.block_begin + i], line, &span);
+#endif
+    for (u32 i = 1; i < group.single && span.lo < span.hi; i++) {
         const Span m = member_span(world, world->members[group.begin + i], line);
         if (m.lo > span.lo) {
             span.lo = m.lo;

@@ -22,6 +22,7 @@ enum LayoutBuffer {
     BUFFER_MEMBERS,  /* u32 references, see MEMBER_* */
     BUFFER_PROGRAMS, /* u32 boolean programs, see OP_* */
     BUFFER_PLANES,   /* LayoutPlane */
+    BUFFER_BLOCKS,   /* LayoutPlaneBlock */
     BUFFER_SPHERES,  /* LayoutSphere */
     BUFFER_QUADRICS, /* LayoutQuadric */
     BUFFER_TORI,     /* LayoutTorus */
@@ -52,6 +53,15 @@ typedef struct {
     float h;
 } LayoutPlane;
 
+/* Eight planes of one group side by side; where there are fewer, the last lanes hold all of space (n 0, h 1). */
+#define PLANE_BLOCK 8u
+typedef struct {
+    float n[3][PLANE_BLOCK];
+    float h[PLANE_BLOCK];
+    u32 plane[PLANE_BLOCK]; /* into planes, or PLANE_NONE */
+} LayoutPlaneBlock;
+#define PLANE_NONE 0x1fffffffu
+
 typedef struct {
     float c[3];
     float r;
@@ -74,11 +84,13 @@ typedef struct {
     float major, minor; /* minor < major */
 } LayoutTorus;
 
-/* A convex set (an intersection of members), or one member of any kind; or the complement of it.
+/* A convex set (an intersection of members and blocks of planes), or one member of any kind; or the complement of it.
  * On a line it is one interval or the complement of one. */
 typedef struct {
     u32 begin; /* into members */
     u32 count;
+    u32 single;                   /* of the members: they are met one by one, the rest, all planes, in blocks */
+    u32 block_begin, block_count; /* into blocks */
     u32 inverse;
 } LayoutGroup;
 

@@ -12,10 +12,23 @@
 static World make_world(const NativeScene* scene)
 {
     const void* const* b = scene->buffers;
-    World world = {b[BUFFER_FRAME],    b[BUFFER_OBJECTS], b[BUFFER_GROUPS],   b[BUFFER_MEMBERS],
-                   b[BUFFER_PROGRAMS], b[BUFFER_PLANES],  b[BUFFER_SPHERES],  b[BUFFER_QUADRICS],
-                   b[BUFFER_TORI],     b[BUFFER_OPTICS],  b[BUFFER_TEXTURES], b[BUFFER_IMAGES],
-                   b[BUFFER_TEXELS],   b[BUFFER_LIGHTS],  b[BUFFER_STARTS],   {0}};
+    World world = {b[BUFFER_FRAME],
+                   b[BUFFER_OBJECTS],
+                   b[BUFFER_GROUPS],
+                   b[BUFFER_MEMBERS],
+                   b[BUFFER_PROGRAMS],
+                   b[BUFFER_PLANES],
+                   b[BUFFER_BLOCKS],
+                   b[BUFFER_SPHERES],
+                   b[BUFFER_QUADRICS],
+                   b[BUFFER_TORI],
+                   b[BUFFER_OPTICS],
+                   b[BUFFER_TEXTURES],
+                   b[BUFFER_IMAGES],
+                   b[BUFFER_TEXELS],
+                   b[BUFFER_LIGHTS],
+                   b[BUFFER_STARTS],
+                   {0}};
     return world;
 }
 

@@ -21,6 +21,7 @@ typedef struct {
     __global const u32* members;
     __global const u32* programs;
     __global const LayoutPlane* planes;
+    __global const LayoutPlaneBlock* blocks;
     __global const LayoutSphere* spheres;
     __global const LayoutQuadric* quadrics;
     __global const LayoutTorus* tori;

@@ -113,6 +113,7 @@ Compiled compile(const Scene& scene, const View& view)
     bytes[BUFFER_MEMBERS] = to_bytes(objects.members);
     bytes[BUFFER_PROGRAMS] = to_bytes(objects.programs);
     bytes[BUFFER_PLANES] = to_bytes(objects.planes);
+    bytes[BUFFER_BLOCKS] = to_bytes(objects.blocks);
     bytes[BUFFER_SPHERES] = to_bytes(objects.spheres);
     bytes[BUFFER_QUADRICS] = to_bytes(objects.quadrics);
     bytes[BUFFER_TORI] = to_bytes(objects.tori);

@@ -6,11 +6,15 @@
 #include "scene/store.h"
 
 #include <algorithm>
+#include <array>
 #include <queue>
+#include <span>
 
 namespace clucida::scene {
 namespace {
 
+/// A block costs about as much as so many planes one by one.
+constexpr std::ptrdiff_t least_block = 3;
 /// Bounds are widened by this for the rounding of float.
 constexpr double bound_margin = 1e-5;
 /// A bound of more than so many times the parts' size does not make the object's centre.
@@ -111,14 +115,42 @@ private:
 
     u32 add_group(const Group& group)
     {
-        const auto begin = static_cast<u32>(out.members.size());
-        // Cheap members first: planes, spheres, quadrics, tori.
-        for (const std::size_t kind : {0u, 1u, 2u, 3u})
+        LayoutGroup g{};
+        g.begin = static_cast<u32>(out.members.size());
+        g.count = static_cast<u32>(group.members.size());
+        g.block_begin = static_cast<u32>(out.blocks.size());
+        g.inverse = group.inverse ? 1 : 0;
+        // Cheap members first, planes last if there are enough for a block: spheres, planes, quadrics, tori.
+        const auto planes_of_group =
+            std::ranges::count_if(group.members, [](const Member& m) { return std::holds_alternative<HalfSpace>(m); });
+        const bool in_blocks = planes_of_group >= least_block;
+        const std::array<std::size_t, 4> order =
+            in_blocks ? std::array<std::size_t, 4>{1, 2, 3, 0} : std::array<std::size_t, 4>{1, 0, 2, 3};
+        for (const std::size_t kind : order)
             for (const Member& member : group.members)
                 if (member.index() == kind) out.members.push_back(reference(member));
-        const auto count = static_cast<u32>(out.members.size()) - begin;
-        out.groups.push_back({begin, count, group.inverse ? 1u : 0u});
+        g.single = g.count - (in_blocks ? static_cast<u32>(planes_of_group) : 0);
+        for (u32 i = g.single; i < g.count; i += PLANE_BLOCK)
+            add_block(std::span(out.members).subspan(g.begin + i, std::min<u32>(PLANE_BLOCK, g.count - i)));
+        g.block_count = static_cast<u32>(out.blocks.size()) - g.block_begin;
+        out.groups.push_back(g);
         return groups_of_this++;
+    }
+
+    void add_block(std::span<const u32> members)
+    {
+        LayoutPlaneBlock block{};
+        for (std::size_t lane = 0; lane < PLANE_BLOCK; lane++) {
+            block.h[lane] = 1;
+            block.plane[lane] = PLANE_NONE;
+            if (lane >= members.size()) continue;
+            const u32 index = members[lane] >> MEMBER_SHIFT;
+            const LayoutPlane& plane = out.planes[index];
+            for (std::size_t axis = 0; axis < 3; axis++) block.n[axis][lane] = plane.n[axis];
+            block.h[lane] = plane.h;
+            block.plane[lane] = index;
+        }
+        out.blocks.push_back(block);
     }
 
     /// Reverse Polish order, the deepest part first, so that the stack of bits stays as low as the logarithm.
@@ -225,11 +257,15 @@ private:
 
 std::size_t bytes_of(const LayoutObject& object, const ObjectReport& report, const ObjectBuffers& out)
 {
-    std::size_t members = 0;
-    for (u32 i = 0; i < object.group_count; i++) members += out.groups[object.group_begin + i].count;
-    return sizeof(LayoutObject) + report.groups * sizeof(LayoutGroup) + (members + report.program) * sizeof(u32) +
-           report.planes * sizeof(LayoutPlane) + report.spheres * sizeof(LayoutSphere) +
-           report.quadrics * sizeof(LayoutQuadric) + report.tori * sizeof(LayoutTorus);
+    std::size_t members = 0, blocks = 0;
+    for (u32 i = 0; i < object.group_count; i++) {
+        members += out.groups[object.group_begin + i].count;
+        blocks += out.groups[object.group_begin + i].block_count;
+    }
+    return sizeof(LayoutObject) + blocks * sizeof(LayoutPlaneBlock) + report.groups * sizeof(LayoutGroup) +
+           (members + report.program) * sizeof(u32) + report.planes * sizeof(LayoutPlane) +
+           report.spheres * sizeof(LayoutSphere) + report.quadrics * sizeof(LayoutQuadric) +
+           report.tori * sizeof(LayoutTorus);
 }
 
 /// No point lies in more of the intervals than are open at once anywhere.

@@ -12,6 +12,7 @@ struct ObjectBuffers {
     std::vector<LayoutGroup> groups;
     std::vector<u32> members, programs;
     std::vector<LayoutPlane> planes;
+    std::vector<LayoutPlaneBlock> blocks;
     std::vector<LayoutSphere> spheres;
     std::vector<LayoutQuadric> quadrics;
     std::vector<LayoutTorus> tori;

@@ -18,7 +18,9 @@ static_assert(sizeof(LayoutQuadric) == words(17) && offsetof(LayoutQuadric, m) =
 static_assert(offsetof(LayoutQuadric, s) == words(12));
 static_assert(offsetof(LayoutQuadric, g) == words(15) && offsetof(LayoutQuadric, w) == words(16));
 static_assert(sizeof(LayoutTorus) == words(8) && offsetof(LayoutTorus, major) == words(6));
-static_assert(sizeof(LayoutGroup) == words(3));
+static_assert(sizeof(LayoutPlaneBlock) == words(40) && offsetof(LayoutPlaneBlock, h) == words(24));
+static_assert(offsetof(LayoutPlaneBlock, plane) == words(32));
+static_assert(sizeof(LayoutGroup) == words(6));
 static_assert(sizeof(LayoutObject) == words(12) && offsetof(LayoutObject, group_begin) == words(6));
 static_assert(offsetof(LayoutObject, optics) == words(10) && offsetof(LayoutObject, texture) == words(11));
 static_assert(sizeof(LayoutOptics) == words(9) && offsetof(LayoutOptics, extinction) == words(4));
