@@ -16,9 +16,9 @@ struct InspectOptions {
     bool json = false, print = false;
 };
 
-constexpr const char* buffer_names[] = {"frame",  "objects", "groups",   "members", "programs", "planes",
-                                                    "blocks", "spheres", "quadrics", "tori",    "optics",   "textures",
-                                                    "images", "texels",  "lights",   "starts"};
+constexpr const char* buffer_names[] = {"frame",    "nodes",  "objects", "groups",   "members", "programs",
+                                        "planes",   "blocks", "spheres", "quadrics", "tori",    "optics",
+                                        "textures", "images", "texels",  "lights"};
 
 std::vector<std::string> feature_list(const scene::Needs& needs)
 {
@@ -59,7 +59,8 @@ nlohmann::ordered_json to_json(const SceneSource& source, const scene::Compiled&
     return {{"scene", source.name},
             {"sha256", source.hash},
             {"features", feature_list(needs)},
-            {"capacities", {{"interior", needs.interior}, {"stack", needs.stack}, {"groups", needs.groups}}},
+            {"capacities",
+             {{"interior", needs.interior}, {"stack", needs.stack}, {"groups", needs.groups}, {"walk", needs.walk}}},
             {"interior_bound", compiled.interior_bound},
             {"options", scene::build_options(needs)},
             {"buffers", std::move(buffers)},

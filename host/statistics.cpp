@@ -12,6 +12,7 @@ constexpr StatisticsField fields[] = {
     {"refracted", &Statistics::refracted, false},
     {"shadow", &Statistics::shadow, false},
     {"queries", &Statistics::queries, false},
+    {"full", &Statistics::full, false},
     {"tests", &Statistics::tests, false},
     {"silent", &Statistics::silent, false},
     {"parity", &Statistics::parity, true},
@@ -24,7 +25,7 @@ constexpr StatisticsField fields[] = {
     {"truncated", &Statistics::truncated, false},
 };
 static_assert(std::size(fields) == STAT_COUNT);
-static_assert(STAT_PARITY == 8 && STAT_STUCK == 12 && STAT_TRUNCATED == 15, "fields are in the order of LayoutStat");
+static_assert(STAT_PARITY == 9 && STAT_STUCK == 13 && STAT_TRUNCATED == 16, "fields are in the order of LayoutStat");
 
 } // namespace
 

@@ -12,7 +12,7 @@ namespace clucida::host {
 struct Statistics {
     std::uint64_t rays = 0; ///< of all kinds but shadow rays
     std::uint64_t primary = 0, reflected = 0, refracted = 0, shadow = 0;
-    std::uint64_t queries = 0, tests = 0, silent = 0;
+    std::uint64_t queries = 0, full = 0, tests = 0, silent = 0;
     std::uint64_t parity = 0, nan = 0, interior_overflow = 0, stack_overflow = 0, stuck = 0; ///< faults: 0
     std::uint64_t cut_branches = 0, hop_branches = 0;
     std::uint64_t truncated = 0; ///< weight of both, in units of 2^-16

@@ -5,7 +5,7 @@
 #include "kernels/real.h"
 
 /* a b - c d to within 1.5 ulp (Kahan; Jeannerod, Louvet, Muller 2013). */
-static inline real difference_of_products(real a, real b, real c, real d)
+INLINED real difference_of_products(real a, real b, real c, real d)
 {
     const real w = c * d;
     const real e = fma(-c, d, w);
@@ -13,7 +13,7 @@ static inline real difference_of_products(real a, real b, real c, real d)
 }
 
 /* What the rounded difference a - b leaves out (Knuth's two-sum). */
-static inline real difference_error(real a, real b)
+INLINED real difference_error(real a, real b)
 {
     const real d = a - b;
     const real z = d - a;
@@ -25,7 +25,7 @@ typedef struct {
     real sum, error;
 } Sum;
 
-static inline void sum_add(Sum* s, real a)
+INLINED void sum_add(Sum* s, real a)
 {
     const real t = s->sum + a;
     const real z = t - s->sum;
@@ -33,14 +33,14 @@ static inline void sum_add(Sum* s, real a)
     s->sum = t;
 }
 
-static inline void sum_product(Sum* s, real a, real b)
+INLINED void sum_product(Sum* s, real a, real b)
 {
     const real p = a * b;
     s->error += fma(a, b, -p);
     sum_add(s, p);
 }
 
-static inline real sum_value(Sum s)
+INLINED real sum_value(Sum s)
 {
     return s.sum + s.error;
 }
@@ -50,7 +50,7 @@ typedef struct {
     real hi, lo;
 } Twofold;
 
-static inline Twofold make_twofold(real a)
+INLINED Twofold make_twofold(real a)
 {
     Twofold t;
     t.hi = a;
@@ -59,14 +59,14 @@ static inline Twofold make_twofold(real a)
 }
 
 /* Exact if s is 0 or a power of two. */
-static inline Twofold twofold_scaled(Twofold a, real s)
+INLINED Twofold twofold_scaled(Twofold a, real s)
 {
     a.hi *= s;
     a.lo *= s;
     return a;
 }
 
-static inline Twofold sum_twofold(Sum s)
+INLINED Twofold sum_twofold(Sum s)
 {
     Twofold t;
     t.hi = s.sum + s.error;
@@ -74,14 +74,14 @@ static inline Twofold sum_twofold(Sum s)
     return t;
 }
 
-static inline void sum_twofold_product(Sum* s, Twofold a, Twofold b)
+INLINED void sum_twofold_product(Sum* s, Twofold a, Twofold b)
 {
     sum_product(s, a.hi, b.hi);
     s->error += fma(a.hi, b.lo, a.lo * b.hi);
 }
 
 /* a b - c d. */
-static inline Twofold twofold_difference_of_products(real a, real b, real c, real d)
+INLINED Twofold twofold_difference_of_products(real a, real b, real c, real d)
 {
     const real p = a * b, q = c * d;
     Sum s;
@@ -91,7 +91,7 @@ static inline Twofold twofold_difference_of_products(real a, real b, real c, rea
 }
 
 /* a / b, to about two units. */
-static inline real twofold_ratio(Twofold a, Twofold b)
+INLINED real twofold_ratio(Twofold a, Twofold b)
 {
     const real q = a.hi / b.hi;
     return q + (fma(-q, b.hi, a.hi) + fma(-q, b.lo, a.lo)) / b.hi;

@@ -5,7 +5,7 @@
 #include "kernels/unit.h"
 
 /* The mirror's direction at normal n on the side that d comes from, cosine = -d.n. What n lacks in length counts. */
-static inline vec reflected(vec d, vec n, real cosine)
+INLINED vec reflected(vec d, vec n, real cosine)
 {
     const real twice = R(2) * cosine;
     return renormalized(along(d, n, fma(-twice, length_excess(n), twice)));
@@ -13,13 +13,13 @@ static inline vec reflected(vec d, vec n, real cosine)
 
 /* Snell's law for a ray that comes from index n1 to n2; w = n1/n2, n the unit normal on the side that it comes from,
  * cosine = -d.n. det < 0 means total reflection. Written so that w = 1 changes nothing at all. */
-static inline real snell_det(real w, real cosine)
+INLINED real snell_det(real w, real cosine)
 {
     const real wa = w * cosine;
     return fma(wa, wa, (R(1) - w) * (R(1) + w));
 }
 
-static inline vec snell_refracted(vec d, vec n, real w, real cosine, real det)
+INLINED vec snell_refracted(vec d, vec n, real w, real cosine, real det)
 {
     const real s = fma(w, cosine, sqrt(det));
     if (w == R(1) || s == R(0)) return d;

@@ -7,19 +7,18 @@
 
 /* clang-format off */
 #define SCENE_PARAMETERS                                                                                         \
-    __global const LayoutFrame* restrict frame, __global const LayoutObject* restrict objects,                   \
-    __global const LayoutGroup* restrict groups, __global const uint* restrict members,                          \
-    __global const uint* restrict programs, __global const LayoutPlane* restrict planes,                         \
-    __global const LayoutPlaneBlock* restrict blocks, __global const LayoutSphere* restrict spheres,             \
-    __global const LayoutQuadric* restrict quadrics,                                                             \
+    __global const LayoutFrame* restrict frame, __global const LayoutNode* restrict nodes,                       \
+    __global const LayoutObject* restrict objects, __global const LayoutGroup* restrict groups,                  \
+    __global const uint* restrict members, __global const uint* restrict programs,                               \
+    __global const LayoutPlane* restrict planes, __global const LayoutPlaneBlock* restrict blocks,               \
+    __global const LayoutSphere* restrict spheres, __global const LayoutQuadric* restrict quadrics,              \
     __global const LayoutTorus* restrict tori, __global const LayoutOptics* restrict optics,                     \
     __global const LayoutTexture* restrict textures, __global const LayoutImage* restrict images,                \
-    __global const uint* restrict texels, __global const LayoutLight* restrict lights,                           \
-    __global const uint* restrict starts
+    __global const uint* restrict texels, __global const LayoutLight* restrict lights
 
 #define SCENE_WORLD                                                                                              \
-    {frame, objects, groups,   members, programs, planes, blocks, spheres, quadrics,                             \
-     tori,  optics,  textures, images,  texels,   lights, starts, {0}}
+    {frame,  nodes,    objects, groups, members,  programs, planes, blocks, spheres,                             \
+     quadrics, tori,   optics,  textures, images, texels,   lights, {0}}
 /* clang-format on */
 
 /* Adds a work-item's counters to its row of the statistics. */

@@ -11,26 +11,26 @@ typedef struct {
 
 #define VACUUM 0xffffffffu /* of lower precedence than any object */
 
-static inline u32 medium_of(const Interior* interior)
+INLINED u32 medium_of(const Interior* interior)
 {
     return interior->count ? interior->ids[0] : VACUUM;
 }
 
-static inline int interior_has(const Interior* interior, u32 id)
+INLINED int interior_has(const Interior* interior, u32 id)
 {
     for (u32 i = 0; i < interior->count; i++)
         if (interior->ids[i] == id) return 1;
     return 0;
 }
 
-static inline void interior_copy(Interior* to, const Interior* from)
+INLINED void interior_copy(Interior* to, const Interior* from)
 {
     to->count = from->count;
     for (u32 i = 0; i < from->count; i++) to->ids[i] = from->ids[i];
 }
 
 /* Enter the object, or leave it if the ray is inside. */
-static inline void interior_toggle(World* world, Interior* interior, u32 id)
+INLINED void interior_toggle(World* world, Interior* interior, u32 id)
 {
     u32 i = 0;
     while (i < interior->count && interior->ids[i] < id) i++;

@@ -17,6 +17,7 @@ typedef uint32_t u32;
 /* The scene's buffers, in the order of the kernel's arguments. */
 enum LayoutBuffer {
     BUFFER_FRAME,    /* one LayoutFrame */
+    BUFFER_NODES,    /* LayoutNode: first the roots */
     BUFFER_OBJECTS,  /* LayoutObject, in order of precedence */
     BUFFER_GROUPS,   /* LayoutGroup */
     BUFFER_MEMBERS,  /* u32 references, see MEMBER_* */
@@ -31,7 +32,6 @@ enum LayoutBuffer {
     BUFFER_IMAGES,   /* LayoutImage */
     BUFFER_TEXELS,   /* u32, 0x00BBGGRR, rows from the top */
     BUFFER_LIGHTS,   /* LayoutLight */
-    BUFFER_STARTS,   /* u32 object ids, ascending: those that may contain the start of an observer's ray */
     BUFFER_COUNT
 };
 
@@ -75,6 +75,7 @@ typedef struct {
     float s[3];
     float g;
     float w;
+    float norm; /* of m: no vector becomes longer than this many times its length, by m or its transpose */
 } LayoutQuadric;
 
 /* Nearer than minor to the circle of radius major about the axis (unit) through c. */
@@ -94,17 +95,29 @@ typedef struct {
     u32 inverse;
 } LayoutGroup;
 
+/* Of the tree over the objects' boxes. bounds: least x, y, z, greatest x, y, z of each child; of a child that there is
+ * not the least is infinite and the greatest is minus that. */
+typedef struct {
+    float bounds[6][8];
+    u32 child[8]; /* an object, or NODE_INNER and a node */
+} LayoutNode;
+#define NODE_INNER 0x80000000u
+
 /* Object: a boolean expression over groups: the intersection of all when program_count is 0. */
 typedef struct {
     float center[3];
     float radius; /* of the bounding sphere; infinite if there is none */
     float near;   /* from farther away than this a ray's line starts near the centre (line.h); may be infinite */
     float grain;  /* the largest length among its members: what they were rounded by as they were stored */
+    u32 form;     /* FORM_* */
     u32 group_begin, group_count;
     u32 program_begin, program_count;
     u32 optics;
     u32 texture; /* TEXTURE_NONE or an index */
 } LayoutObject;
+#define FORM_ALL 0u     /* the intersection of its groups */
+#define FORM_ANY 1u     /* their union; it has a program too */
+#define FORM_PROGRAM 2u /* what its program says */
 #define TEXTURE_NONE 0xffffffffu
 
 /* A boolean program in reverse Polish order over a stack of bits: OP_GROUP | i<<2 pushes whether the point is inside
@@ -172,7 +185,10 @@ typedef struct {
     u32 samples;     /* of a pixel in all */
     u32 max_hops;
     float cutoff;
-    u32 object_count, light_count, start_count;
+    u32 object_count, light_count;
+    u32 start_count;  /* objects that may hold the start of an observer's ray */
+    u32 root_count;   /* of nodes */
+    u32 walk_reserve; /* how many nodes and objects the deepest branch of the tree leaves waiting */
     u32 light_law;
     u32 media_rule;
     u32 sky;
@@ -199,6 +215,7 @@ enum LayoutStat {
     STAT_REFRACTED,         /* ... after a refraction */
     STAT_SHADOW,            /* shadow rays */
     STAT_QUERIES,           /* nearest-crossing searches */
+    STAT_FULL,              /* ... that took the full search */
     STAT_TESTS,             /* objects tested past their bound */
     STAT_SILENT,            /* crossings without optical effect */
     STAT_PARITY,            /* interior contradicted by geometry: must be 0 */

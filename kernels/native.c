@@ -13,6 +13,7 @@ static World make_world(const NativeScene* scene)
 {
     const void* const* b = scene->buffers;
     World world = {b[BUFFER_FRAME],
+                   b[BUFFER_NODES],
                    b[BUFFER_OBJECTS],
                    b[BUFFER_GROUPS],
                    b[BUFFER_MEMBERS],
@@ -27,7 +28,6 @@ static World make_world(const NativeScene* scene)
                    b[BUFFER_IMAGES],
                    b[BUFFER_TEXELS],
                    b[BUFFER_LIGHTS],
-                   b[BUFFER_STARTS],
                    {0}};
     return world;
 }

@@ -2,8 +2,7 @@
 #ifndef CLUCIDA_NEAREST_H
 #define CLUCIDA_NEAREST_H
 
-#include "kernels/csg.h"
-#include "kernels/interior.h"
+#include "kernels/quick.h"
 
 /* Boundaries crossed as one, the nearest at t. More than fit are met again at once by the next search. */
 #define INTERFACE_CAPACITY 6
@@ -13,18 +12,6 @@ typedef struct {
     u32 ids[INTERFACE_CAPACITY];
     Crossing crossings[INTERFACE_CAPACITY];
 } Interface;
-
-/* Whether the object's bounding sphere is met between ray parameters from and to. Conservative: the radius has the
- * host's margin, and grows here by what rounding may do to a sphere that is far away. */
-static inline int bound_met(__global const LayoutObject* object, const Ray* ray, real from, real to)
-{
-    if (!is_finite(R(object->radius))) return 1;
-    const vec c = sub(load_vec(object->center), ray->o);
-    const real middle = dot3(c, ray->d); /* |d| is 1 to within rounding */
-    const vec offset = along(c, ray->d, -middle);
-    const real radius = R(object->radius) + R(8) * UNIT_ROUNDOFF * fabs(middle);
-    return dot3(offset, offset) <= radius * radius && from <= middle + radius && to >= middle - radius;
-}
 
 static inline void interface_add(Interface* face, u32 id, Crossing crossing)
 {
@@ -66,57 +53,125 @@ static inline int interface_leaves(const Interface* face, const Interior* interi
     return 1;
 }
 
-/* The nearest crossing of any object from ray parameter x on, and those that rounding cannot tell from it. Returns 0 if
- * there is none. Where objects are left together, one may be entered again before rounding can tell, and no gap is seen
- * then: it counts twice. */
-static inline int nearest_interface(World* world, const Ray* ray, real x, real err, const Interior* interior,
-                                    Interface* face)
+/* Looks for the object's crossing from place on, and adds it to the interface if it belongs there. */
+static inline void interface_try(World* world, u32 id, const Line* line, Place place, Interface* face)
 {
-    const u32 count = world->frame->object_count;
+    Crossing crossing;
+    COUNT(world, STAT_TESTS);
+    if (object_crossing(world, &world->objects[id], line, place, &crossing)) interface_add(face, id, crossing);
+}
+
+/* Where objects are left together, one may be entered again before rounding can tell, and no gap is seen then: it
+ * counts twice. */
+static inline void interface_again(World* world, const Ray* ray, real x, real err, Interface* face)
+{
+    const u32 count = face->count;
+    for (u32 i = 0; i < count; i++) {
+        const u32 id = face->ids[i];
+        __global const LayoutObject* object = &world->objects[id];
+        const Line line = make_line(ray, object);
+        Place place = place_at(&line, x, err, 0);
+        if (face->crossings[i].t > x) place.err = R(0);
+        place.t = face->crossings[i].t;
+        place.at = face->crossings[i].at;
+        Crossing crossing;
+        COUNT(world, STAT_TESTS);
+        if (object_crossing(world, object, &line, place, &crossing) && crossing.t > place.t)
+            interface_add(face, id, crossing);
+    }
+}
+
+static inline int full_interface(World* world, const Ray* ray, real x, real err, const Interior* interior,
+                                 Interface* face)
+{
     face->t = INFINITE;
     face->count = 0;
-    COUNT(world, STAT_QUERIES);
-    for (u32 i = 0, again = 0; i < count + again; i++) {
-        const u32 id = i < count ? i : face->ids[i - count];
-        __global const LayoutObject* object = &world->objects[id];
-        const int inside = i < count && interior_has(interior, id);
-        if (inside || i >= count || bound_met(object, ray, x - err, face->t + err)) {
-            COUNT(world, STAT_TESTS);
-            const Line line = make_line(ray, object);
-            Place place = place_at(&line, x, err, inside);
-            if (i >= count) {
-                if (face->crossings[i - count].t > x) place.err = R(0);
-                place.t = face->crossings[i - count].t;
-                place.at = face->crossings[i - count].at;
-            }
-            Crossing crossing;
-            if (object_crossing(world, object, &line, place, &crossing) && (i < count || crossing.t > place.t))
-                interface_add(face, id, crossing);
-        }
-        if (i + 1 == count && interface_leaves(face, interior)) again = face->count;
+    COUNT(world, STAT_FULL);
+    Walk walk;
+    walk_begin(&walk, ray);
+    for (u32 i = 0;; i++) {
+        const int inside = i < interior->count;
+        const u32 id = inside ? interior->ids[i] : walk_next(&walk, world, x - err, face->t + err);
+        if (id == WALK_DONE) break;
+        if (!inside && interior_has(interior, id)) continue;
+        const Line line = make_line(ray, &world->objects[id]);
+        interface_try(world, id, &line, place_at(&line, x, err, inside), face);
     }
+    if (interface_leaves(face, interior)) interface_again(world, ray, x, err, face);
     return face->count > 0;
+}
+
+/* The nearest crossing of any object from ray parameter x on, and those that rounding cannot tell from it. Returns 0 if
+ * there is none. passed: the object that was crossed at x, or VACUUM. */
+static inline int nearest_interface(World* world, const Ray* ray, real x, real err, u32 passed,
+                                    const Interior* interior, Interface* face)
+{
+    COUNT(world, STAT_QUERIES);
+    const QuickCrossing quick = quick_nearest(world, ray, x, err, passed, interior);
+    if (quick.t == INFINITE) return 0;
+    if (quick.sure && confirm(world, ray, &quick, &face->crossings[0])) {
+        face->t = face->crossings[0].t;
+        face->ids[0] = quick.object;
+        face->count = 1;
+        return 1;
+    }
+    return full_interface(world, ray, x, err, interior, face);
+}
+
+/* Adds the objects that hold the ray's start. */
+static inline void interior_at_start(World* world, const Ray* ray, Interior* interior)
+{
+    Walk walk;
+    walk_begin(&walk, ray);
+    for (;;) {
+        const u32 id = walk_next(&walk, world, R(0), R(0));
+        if (id == WALK_DONE) return;
+        __global const LayoutObject* object = &world->objects[id];
+        int holds = quick_holds_start(world, object, ray);
+        if (holds < 0) {
+            const Line line = make_line(ray, object);
+            holds = object_holds_start(world, object, &line);
+        }
+        if (holds) interior_toggle(world, interior, id);
+    }
 }
 
 #ifdef CLU_LIGHTS
 /* Whether any solid's boundary lies between the ray's start and the light at the given distance. A boundary that the
  * light itself lies on does not count. */
-static inline int is_hidden(World* world, const Ray* ray, real distance)
+static inline int is_hidden_in_full(World* world, const Ray* ray, real distance)
 {
-    const u32 count = world->frame->object_count;
     const real err = position_error(ray->o, distance);
-    COUNT(world, STAT_SHADOW);
-    for (u32 id = 0; id < count; id++) {
-        __global const LayoutObject* object = &world->objects[id];
-        if (!bound_met(object, ray, R(0), distance)) continue;
+    COUNT(world, STAT_FULL);
+    Walk walk;
+    walk_begin(&walk, ray);
+    for (;;) {
+        const u32 id = walk_next(&walk, world, R(0), distance);
+        if (id == WALK_DONE) return 0;
         COUNT(world, STAT_TESTS);
-        const Line line = make_line(ray, object);
+        const Line line = make_line(ray, &world->objects[id]);
         Crossing crossing;
-        if (object_crossing(world, object, &line, place_at(&line, R(0), ray->err, 0), &crossing) &&
+        if (object_crossing(world, &world->objects[id], &line, place_at(&line, R(0), ray->err, 0), &crossing) &&
             crossing.t + crossing.slope * err < distance)
             return 1;
     }
-    return 0;
+}
+
+static inline int is_hidden(World* world, const Ray* ray, real distance)
+{
+    COUNT(world, STAT_SHADOW);
+    int sure = 1;
+    Walk walk;
+    walk_begin(&walk, ray);
+    for (;;) {
+        const u32 id = walk_next(&walk, world, R(0), distance);
+        if (id == WALK_DONE) return sure ? 0 : is_hidden_in_full(world, ray, distance);
+        COUNT(world, STAT_TESTS);
+        QuickCrossing c;
+        if (!quick_crossing(world, id, ray, R(0), ray->err, 0, 0, &c)) continue;
+        if (c.sure && c.t + c.tolerance < distance) return 1;
+        if (c.t - c.tolerance <= distance) sure = 0;
+    }
 }
 #endif
 

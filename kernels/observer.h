@@ -6,7 +6,7 @@
 
 /* Offset of sample i within the pixel, 0..1: the first lies in the middle, the rest follow the R2 sequence (the
  * plastic number's; M. Roberts 2018), in 32-bit fixed point so that it is the same everywhere. */
-static inline void sample_offset(u32 i, u32 corner, real* a, real* b)
+INLINED void sample_offset(u32 i, u32 corner, real* a, real* b)
 {
     const u32 start = corner ? 0u : 0x80000000u;
     *a = R(start + i * 3242174889u) / R(4294967296.0f);
@@ -14,7 +14,7 @@ static inline void sample_offset(u32 i, u32 corner, real* a, real* b)
 }
 
 /* The ray through pixel (i, j), and the interior of its start. */
-static inline void observer_branch(World* world, u32 i, u32 j, u32 sample, Branch* branch)
+INLINED void observer_branch(World* world, u32 i, u32 j, u32 sample, Branch* branch)
 {
     __global const LayoutFrame* f = world->frame;
     real a, b;
@@ -31,16 +31,11 @@ static inline void observer_branch(World* world, u32 i, u32 j, u32 sample, Branc
     branch->throughput = branch->weight = grey(R(1));
     branch->hops = f->max_hops;
     branch->interior.count = 0;
-    for (u32 k = 0; k < f->start_count; k++) {
-        const u32 id = world->starts[k];
-        __global const LayoutObject* object = &world->objects[id];
-        const Line line = make_line(&branch->ray, object);
-        if (object_holds_start(world, object, &line)) interior_toggle(world, &branch->interior, id);
-    }
+    if (f->start_count) interior_at_start(world, &branch->ray, &branch->interior);
 }
 
 /* One sample of a pixel: linear light. */
-static inline rgb observe(World* world, u32 i, u32 j, u32 sample)
+INLINED rgb observe(World* world, u32 i, u32 j, u32 sample)
 {
     Branch branch;
     observer_branch(world, i, j, sample, &branch);

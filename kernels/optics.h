@@ -14,24 +14,24 @@
 #else
 #define LEAST_DET R(1e-6f)
 #endif
-static inline real refraction_det(real w, real cosine)
+INLINED real refraction_det(real w, real cosine)
 {
     const real a = w * cosine;
     const real det = R(1) - w * w * (R(1) - a * a);
     return det < LEAST_DET ? R(-1) : det;
 }
 
-static inline vec refracted(vec d, vec n, real w, real cosine, real det)
+INLINED vec refracted(vec d, vec n, real w, real cosine, real det)
 {
     return unit(along(scaled(d, w), n, w * w * cosine - sqrt(det)));
 }
 #else
-static inline real refraction_det(real w, real cosine)
+INLINED real refraction_det(real w, real cosine)
 {
     return snell_det(w, cosine);
 }
 
-static inline vec refracted(vec d, vec n, real w, real cosine, real det)
+INLINED vec refracted(vec d, vec n, real w, real cosine, real det)
 {
     return snell_refracted(d, n, w, cosine, det);
 }
@@ -39,7 +39,7 @@ static inline vec refracted(vec d, vec n, real w, real cosine, real det)
 
 #ifdef CLU_FRESNEL
 /* The reflected part of unpolarised light (Fresnel; Born and Wolf, Principles of Optics, 1.5.2). */
-static inline real fresnel_reflectance(real w, real cosine, real det)
+INLINED real fresnel_reflectance(real w, real cosine, real det)
 {
     const real other = sqrt(det);
     if (w == R(1)) return R(0);
@@ -52,7 +52,7 @@ static inline real fresnel_reflectance(real w, real cosine, real det)
 
 #ifdef CLU_LIGHTS
 /* How much of a light arrives at an angle of the given cosine > 0 over the given distance. */
-static inline real diffuse(u32 law, real cosine, real distance)
+INLINED real diffuse(u32 law, real cosine, real distance)
 {
 #ifdef CLU_LIGHT_INVERSE_SQUARE
     if (law == LAW_INVERSE_SQUARE) return cosine / (distance * distance);

@@ -11,6 +11,10 @@
 #include "kernels/native.h"
 #endif
 
+/* On every ray's way: never a call. The full search, which few rays need, is one: it would crowd the rest out. */
+#define INLINED static inline __attribute__((always_inline))
+#define CALLED __attribute__((noinline))
+
 /* What a scene's coordinates are stored to, whatever the arithmetic. */
 #define STORED_ROUNDOFF 5.9604644775390625e-8f
 #ifdef CLU_DOUBLE

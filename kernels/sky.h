@@ -6,7 +6,7 @@
 
 #ifdef CLU_SKY_HSV
 /* Hue in turns, 0..1. */
-static inline rgb from_hsv(real hue, real saturation, real value)
+INLINED rgb from_hsv(real hue, real saturation, real value)
 {
     const real h = hue * R(6) - R(6) * floor(hue);
     const real r = fmin(fmax(fabs(h - R(3)) - R(1), R(0)), R(1));
@@ -16,7 +16,7 @@ static inline rgb from_hsv(real hue, real saturation, real value)
 }
 #endif
 
-static inline rgb sky_color(const World* world, vec d)
+INLINED rgb sky_color(const World* world, vec d)
 {
     __global const LayoutFrame* f = world->frame;
     const u32 kind = f->sky;

@@ -19,8 +19,8 @@ typedef struct {
 } Surface;
 
 /* err: how far the point may lie from boundaries that were crossed here or on the way, its own rounding apart. */
-static inline Surface make_surface(const World* world, const Ray* ray, u32 id, Crossing crossing, real err, u32 before,
-                                   u32 after)
+INLINED Surface make_surface(const World* world, const Ray* ray, u32 id, Crossing crossing, real err, u32 before,
+                             u32 after)
 {
     Surface s;
     const Line line = make_line(ray, &world->objects[id]);
@@ -45,13 +45,14 @@ static inline Surface make_surface(const World* world, const Ray* ray, u32 id, C
 
 /* From the ray's start to the next surface. interior is that of the start; it becomes that just before the surface,
  * and beyond that just after. Returns 0 if the ray meets no surface any more. */
-static inline int next_surface(World* world, const Ray* ray, Interior* interior, Interior* beyond, Surface* surface)
+INLINED int next_surface(World* world, const Ray* ray, Interior* interior, Interior* beyond, Surface* surface)
 {
     real x = R(0), err = ray->err;
     const u32 most = 16u * world->frame->object_count + 64u;
+    u32 passed = VACUUM;
     Interface face;
     for (u32 step = 0; step < most; step++) {
-        if (!nearest_interface(world, ray, x, err, interior, &face)) return 0;
+        if (!nearest_interface(world, ray, x, err, passed, interior, &face)) return 0;
         interior_copy(beyond, interior);
         for (u32 i = 0; i < face.count; i++) interior_toggle(world, beyond, face.ids[i]);
         const real here = position_error(ray->o, face.t) + interface_spread(&face, face.t);
@@ -74,6 +75,7 @@ static inline int next_surface(World* world, const Ray* ray, Interior* interior,
         /* What lay about the last place counts as passed until it is clear of. */
         err = face.t - x <= CLEAR * err ? larger(err, here) : here;
         x = face.t;
+        passed = face.count == 1 ? face.ids[0] : VACUUM;
     }
     COUNT(world, STAT_STUCK);
     return 0;

@@ -7,7 +7,7 @@
 
 /* The unit square's point for a direction (X, Y, Z in the mapping's frame, Z to the pole): u around, from -Y; v from
  * the pole to its opposite. */
-static inline void direction_to_uv(vec d, real* u, real* v)
+INLINED void direction_to_uv(vec d, real* u, real* v)
 {
     real phi = atan2(d.y, d.x);
     if (phi < R(-0.5f) * PI_REAL) phi += R(2) * PI_REAL;
@@ -17,20 +17,20 @@ static inline void direction_to_uv(vec d, real* u, real* v)
 
 #if defined(CLU_TEXTURE) || defined(CLU_SKY_PHOTOGRAPH)
 /* The first 256 texels are not texels but sRGB's decoding table, as floats. */
-static inline rgb decode_texel(const World* world, u32 texel, u32 flags)
+INLINED rgb decode_texel(const World* world, u32 texel, u32 flags)
 {
     const u32 r = texel & 255u, g = texel >> 8 & 255u, b = texel >> 16 & 255u;
     if (flags & IMAGE_LINEAR) return make_rgb(R(r) / R(255), R(g) / R(255), R(b) / R(255));
     return make_rgb(R(as_float(world->texels[r])), R(as_float(world->texels[g])), R(as_float(world->texels[b])));
 }
 
-static inline rgb texel_at(const World* world, const LayoutImage* image, int column, int row)
+INLINED rgb texel_at(const World* world, const LayoutImage* image, int column, int row)
 {
     return decode_texel(world, world->texels[image->offset + (u32)row * image->width + (u32)column], image->flags);
 }
 
 /* The photograph at (u, v) in 0..1, v downwards; columns wrap around, rows do where wrap_rows is set. */
-static inline rgb photograph(const World* world, u32 id, real u, real v, int wrap_rows)
+INLINED rgb photograph(const World* world, u32 id, real u, real v, int wrap_rows)
 {
     const LayoutImage image = world->images[id];
     const int width = (int)image.width, height = (int)image.height;
@@ -55,19 +55,19 @@ static inline rgb photograph(const World* world, u32 id, real u, real v, int wra
 #endif
 
 #ifdef CLU_TEXTURE
-static inline real wrapped(real x, real wrap)
+INLINED real wrapped(real x, real wrap)
 {
     x += wrap;
     return x >= R(1) ? x - R(1) : x;
 }
 
-static inline real fraction(real x)
+INLINED real fraction(real x)
 {
     return x - floor(x);
 }
 
 /* The photograph's colour at surface point p (relative to the eye) with outward normal n. */
-static inline rgb texture_color(const World* world, const LayoutTexture* t, vec p, vec n)
+INLINED rgb texture_color(const World* world, const LayoutTexture* t, vec p, vec n)
 {
     const vec d =
         t->mapping == MAPPING_DIRECTIONAL ? n : sub(p, make_vec(R(t->origin[0]), R(t->origin[1]), R(t->origin[2])));

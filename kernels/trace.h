@@ -24,14 +24,14 @@ typedef struct {
     u32 flags;
 } Finish;
 
-static inline real index_of(const World* world, u32 medium)
+INLINED real index_of(const World* world, u32 medium)
 {
     return medium == VACUUM ? R(1) : R(world->optics[world->objects[medium].optics].index);
 }
 
 #ifdef CLU_MEDIA_RANK
 /* rayt's rule: the medium outside the crossed object gives its optics where its rank is under half of the object's. */
-static inline u32 ranked_object(const World* world, const Surface* s)
+INLINED u32 ranked_object(const World* world, const Surface* s)
 {
     const u32 outside = s->entering ? s->before : s->after;
     if (outside == VACUUM || !(index_of(world, s->object) > R(0)) || !(index_of(world, outside) > R(0)))
@@ -43,7 +43,7 @@ static inline u32 ranked_object(const World* world, const Surface* s)
 #endif
 
 /* Whose optics show: the crossed object's, but an opaque or emitting medium beyond shows its own. */
-static inline u32 shown_object(const World* world, const Surface* s)
+INLINED u32 shown_object(const World* world, const Surface* s)
 {
     if (s->after != VACUUM && !(index_of(world, s->after) > R(0)) && !(index_of(world, s->object) < R(0)))
         return s->after;
@@ -53,7 +53,7 @@ static inline u32 shown_object(const World* world, const Surface* s)
     return s->object;
 }
 
-static inline Finish finish_at(const World* world, u32 id, const Surface* s)
+INLINED Finish finish_at(const World* world, u32 id, const Surface* s)
 {
     __global const LayoutOptics* optics = &world->optics[world->objects[id].optics];
     Finish f;
@@ -77,7 +77,7 @@ static inline Finish finish_at(const World* world, u32 id, const Surface* s)
 }
 
 /* What the medium in force at the ray's start lets through over the distance. */
-static inline rgb transmittance(const World* world, u32 medium, real distance)
+INLINED rgb transmittance(const World* world, u32 medium, real distance)
 {
 #ifdef CLU_EXTINCTION
     if (medium != VACUUM) {
@@ -93,7 +93,7 @@ static inline rgb transmittance(const World* world, u32 medium, real distance)
 }
 
 /* The sky, for a ray that meets nothing any more: from within a medium only where that is perfectly clear. */
-static inline rgb sky_through(const World* world, u32 medium, vec d)
+INLINED rgb sky_through(const World* world, u32 medium, vec d)
 {
     rgb sky = sky_color(world, d);
 #ifdef CLU_EXTINCTION
@@ -114,7 +114,7 @@ static inline rgb sky_through(const World* world, u32 medium, vec d)
 
 #ifdef CLU_LIGHTS
 /* Light that arrives straight from the lights, times the absorption filter; *lit tells from which. */
-static inline rgb absorbed(World* world, const Surface* s, rgb filter, u32* lit)
+INLINED rgb absorbed(World* world, const Surface* s, rgb filter, u32* lit)
 {
     __global const LayoutFrame* frame = world->frame;
     rgb sum = grey(R(0));
@@ -144,7 +144,7 @@ static inline rgb absorbed(World* world, const Surface* s, rgb filter, u32* lit)
 #endif
 
 /* Black by rule: nothing left to see, no hops left, or inside something opaque. Counts what that cuts off. */
-static inline int is_black(World* world, rgb throughput, rgb weight, u32 hops, u32 medium)
+INLINED int is_black(World* world, rgb throughput, rgb weight, u32 hops, u32 medium)
 {
     const int cut = rgb_largest(throughput) < R(world->frame->cutoff);
     if (rgb_largest(throughput) <= R(0) || (medium != VACUUM && index_of(world, medium) == R(0))) return 1;
@@ -155,8 +155,8 @@ static inline int is_black(World* world, rgb throughput, rgb weight, u32 hops, u
 }
 
 /* The branch that leaves the surface in direction d, on the near side or beyond. Returns 0 if it would be black. */
-static inline int follow(World* world, Branch* next, const Surface* s, vec d, int beyond, const Interior* interior,
-                         rgb filter, rgb throughput, rgb weight, u32 hops)
+INLINED int follow(World* world, Branch* next, const Surface* s, vec d, int beyond, const Interior* interior,
+                   rgb filter, rgb throughput, rgb weight, u32 hops)
 {
     next->throughput = rgb_filter(throughput, filter);
     next->weight = rgb_filter(weight, filter);
@@ -176,7 +176,7 @@ static inline int follow(World* world, Branch* next, const Surface* s, vec d, in
 
 /* One segment of a branch: adds what it sees to *sum. The branches that follow are left in *branch (returned as
  * EVENT_REFLECTED) and *other (EVENT_REFRACTED). */
-static inline u32 trace_segment(World* world, Branch* branch, Branch* other, rgb* sum)
+INLINED u32 trace_segment(World* world, Branch* branch, Branch* other, rgb* sum)
 {
     Interior beyond;
     Surface s;
@@ -246,7 +246,7 @@ static inline u32 trace_segment(World* world, Branch* branch, Branch* other, rgb
 }
 
 /* What arrives along the ray of `branch`, which the trace uses up. */
-static inline rgb trace(World* world, Branch* branch)
+INLINED rgb trace(World* world, Branch* branch)
 {
     rgb sum = grey(R(0));
     if (is_black(world, branch->throughput, branch->weight, branch->hops, medium_of(&branch->interior))) return sum;

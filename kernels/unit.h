@@ -4,14 +4,14 @@
 
 #include "kernels/vec.h"
 
-static inline vec normalized(vec a)
+INLINED vec normalized(vec a)
 {
     return scaled(a, R(1) / sqrt(dot3(a, a)));
 }
 
 /* |d|^2 - 1 of a vector that is nearly unit, without cancellation. Rounding |d|^2 itself would not do: floats lie half
  * as dense above 1 as below, so it comes out too small on average, which 1000 chords of a sphere add up. */
-static inline real length_excess(vec d)
+INLINED real length_excess(vec d)
 {
     Sum s = {R(-1), R(0)};
     sum_product(&s, d.x, d.x);
@@ -22,19 +22,19 @@ static inline real length_excess(vec d)
 
 /* x / |d|^2, where |d|^2 exceeds 1 by no more than rounding makes of it: sharper than division by the rounded square.
  */
-static inline real over_square(real x, real excess)
+INLINED real over_square(real x, real excess)
 {
     return fma(-excess, x, x);
 }
 
 /* A direction that is nearly unit, one Newton step nearer. */
-static inline vec renormalized(vec d)
+INLINED vec renormalized(vec d)
 {
     return along(d, d, R(-0.5f) * length_excess(d));
 }
 
 /* The direction of a vector of any length, to the last bits. */
-static inline vec unit(vec a)
+INLINED vec unit(vec a)
 {
     return renormalized(normalized(a));
 }

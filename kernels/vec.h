@@ -8,7 +8,7 @@ typedef struct {
     real x, y, z;
 } vec;
 
-static inline vec make_vec(real x, real y, real z)
+INLINED vec make_vec(real x, real y, real z)
 {
     vec v;
     v.x = x;
@@ -17,27 +17,27 @@ static inline vec make_vec(real x, real y, real z)
     return v;
 }
 
-static inline vec load_vec(__global const float* p)
+INLINED vec load_vec(__global const float* p)
 {
     return make_vec(R(p[0]), R(p[1]), R(p[2]));
 }
-static inline vec add(vec a, vec b)
+INLINED vec add(vec a, vec b)
 {
     return make_vec(a.x + b.x, a.y + b.y, a.z + b.z);
 }
-static inline vec sub(vec a, vec b)
+INLINED vec sub(vec a, vec b)
 {
     return make_vec(a.x - b.x, a.y - b.y, a.z - b.z);
 }
-static inline vec scaled(vec a, real s)
+INLINED vec scaled(vec a, real s)
 {
     return make_vec(a.x * s, a.y * s, a.z * s);
 }
-static inline real dot3(vec a, vec b)
+INLINED real dot3(vec a, vec b)
 {
     return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z));
 }
-static inline real dot_exact(vec a, vec b)
+INLINED real dot_exact(vec a, vec b)
 {
     Sum s = {R(0), R(0)};
     sum_product(&s, a.x, b.x);
@@ -45,31 +45,31 @@ static inline real dot_exact(vec a, vec b)
     sum_product(&s, a.z, b.z);
     return sum_value(s);
 }
-static inline vec along(vec o, vec d, real t)
+INLINED vec along(vec o, vec d, real t)
 {
     return make_vec(fma(d.x, t, o.x), fma(d.y, t, o.y), fma(d.z, t, o.z));
 }
-static inline real largest(vec a)
+INLINED real largest(vec a)
 {
     return larger(fabs(a.x), larger(fabs(a.y), fabs(a.z)));
 }
 
 /* a x b, each component to within 1.5 ulp. */
-static inline vec cross_exact(vec a, vec b)
+INLINED vec cross_exact(vec a, vec b)
 {
     return make_vec(difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
                     difference_of_products(a.x, b.y, a.y, b.x));
 }
 
 /* The product of a row-major 3x3 matrix, or of its transpose, and a vector. */
-static inline vec apply(__global const float* m, vec v)
+INLINED vec apply(__global const float* m, vec v)
 {
     return make_vec(fma(R(m[0]), v.x, fma(R(m[1]), v.y, R(m[2]) * v.z)),
                     fma(R(m[3]), v.x, fma(R(m[4]), v.y, R(m[5]) * v.z)),
                     fma(R(m[6]), v.x, fma(R(m[7]), v.y, R(m[8]) * v.z)));
 }
 
-static inline vec apply_transposed(__global const float* m, vec v)
+INLINED vec apply_transposed(__global const float* m, vec v)
 {
     return make_vec(fma(R(m[0]), v.x, fma(R(m[3]), v.y, R(m[6]) * v.z)),
                     fma(R(m[1]), v.x, fma(R(m[4]), v.y, R(m[7]) * v.z)),

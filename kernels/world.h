@@ -16,6 +16,7 @@ typedef struct {
 
 typedef struct {
     __global const LayoutFrame* frame;
+    __global const LayoutNode* nodes;
     __global const LayoutObject* objects;
     __global const LayoutGroup* groups;
     __global const u32* members;
@@ -30,7 +31,6 @@ typedef struct {
     __global const LayoutImage* images;
     __global const u32* texels;
     __global const LayoutLight* lights;
-    __global const u32* starts;
     u32 stats[STAT_COUNT];
 #ifdef CLU_SIGNATURE
     Signature signature;

@@ -246,10 +246,12 @@ Bound bound_of(const Form& form)
 
 } // namespace
 
-BoundingSphere bounding_sphere(const Form& form)
+Bounds bounds_of(const Form& form)
 {
     const Bound bound = bound_of(form);
-    return smaller(bound.sphere, sphere_of(bound.box));
+    const BoundingSphere sphere = smaller(bound.sphere, sphere_of(bound.box));
+    if (!(sphere.radius < unbounded)) return {sphere, bound.box};
+    return {sphere, common(bound.box, around(sphere.center, {sphere.radius, sphere.radius, sphere.radius}))};
 }
 
 } // namespace clucida::scene

@@ -19,7 +19,11 @@ struct BoundingSphere {
     double radius = unbounded;
 };
 
-/// A sphere that holds the solid; radius is infinite if the solid is unbounded or no bound was found.
-BoundingSphere bounding_sphere(const Form& form);
+/// Both hold the solid; infinite where it is unbounded or no bound was found. The box lies within the sphere's.
+struct Bounds {
+    BoundingSphere sphere;
+    Box box;
+};
+Bounds bounds_of(const Form& form);
 
 } // namespace clucida::scene

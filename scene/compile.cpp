@@ -93,8 +93,11 @@ Compiled compile(const Scene& scene, const View& view)
 
     ObjectBuffers objects = compile_objects(scene, eye, start_radius(scene, view));
     OpticsBuffers optics = compile_optics(scene, eye, frame);
+    const Tree tree = build_tree(objects.boxes);
+    frame.root_count = static_cast<u32>(tree.roots);
+    frame.walk_reserve = static_cast<u32>(tree.reserve);
     frame.object_count = static_cast<u32>(objects.objects.size());
-    frame.start_count = static_cast<u32>(objects.starts.size());
+    frame.start_count = static_cast<u32>(objects.starts);
     frame.light_count = static_cast<u32>(optics.lights.size());
 
     compiled.needs.features = objects.features | optics.features;
@@ -103,11 +106,13 @@ Compiled compile(const Scene& scene, const View& view)
     compiled.interior_bound = objects.most_overlapping;
     compiled.needs.interior = capacity_class(objects.most_overlapping, 8);
     compiled.needs.stack = stack_class(compiled.needs.features, frame.max_hops);
+    compiled.needs.walk = capacity_class(tree.stack, 1u << 16);
     compiled.needs.groups = capacity_class(objects.most_groups, 1u << 16);
     compiled.objects = std::move(objects.reports);
 
     auto& bytes = compiled.buffers.bytes;
     bytes[BUFFER_FRAME] = to_bytes(std::vector{frame});
+    bytes[BUFFER_NODES] = to_bytes(tree.nodes);
     bytes[BUFFER_OBJECTS] = to_bytes(objects.objects);
     bytes[BUFFER_GROUPS] = to_bytes(objects.groups);
     bytes[BUFFER_MEMBERS] = to_bytes(objects.members);
@@ -117,7 +122,6 @@ Compiled compile(const Scene& scene, const View& view)
     bytes[BUFFER_SPHERES] = to_bytes(objects.spheres);
     bytes[BUFFER_QUADRICS] = to_bytes(objects.quadrics);
     bytes[BUFFER_TORI] = to_bytes(objects.tori);
-    bytes[BUFFER_STARTS] = to_bytes(objects.starts);
     bytes[BUFFER_OPTICS] = to_bytes(optics.optics);
     bytes[BUFFER_TEXTURES] = to_bytes(optics.textures);
     bytes[BUFFER_IMAGES] = to_bytes(optics.images);

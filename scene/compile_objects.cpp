@@ -17,6 +17,8 @@ namespace {
 constexpr std::ptrdiff_t least_block = 3;
 /// Bounds are widened by this for the rounding of float.
 constexpr double bound_margin = 1e-5;
+/// Of a box, as a part of its distance from the eye: 16 roundings, of which a ray's start takes 8.
+constexpr double rounding_margin = 1e-6;
 /// A bound of more than so many times the parts' size does not make the object's centre.
 constexpr double most_parts = 8;
 
@@ -62,6 +64,22 @@ Vec3 frame_origin(const Quadric& q, Vec3 center)
     return q.c + axis * dot(axis, center - q.c);
 }
 
+/// No less than the greatest of the matrix's singular values: |m|_2^2 <= |m|_1 |m|_inf.
+double norm_bound(const Mat3& m)
+{
+    double rows = 0, columns = 0;
+    for (int i = 0; i < 3; i++) {
+        double row = 0, column = 0;
+        for (int j = 0; j < 3; j++) {
+            row += std::fabs(component(m.rows[static_cast<std::size_t>(i)], j));
+            column += std::fabs(component(m.rows[static_cast<std::size_t>(j)], i));
+        }
+        rows = std::max(rows, row);
+        columns = std::max(columns, column);
+    }
+    return std::sqrt(rows * columns);
+}
+
 /// Whether two members are the same primitive, parts of one torus included.
 bool same_primitive(const Member& a, const Member& b)
 {
@@ -90,10 +108,11 @@ public:
         object.program_begin = static_cast<u32>(out.programs.size());
         if (form.kind == Form::Kind::group) {
             add_group(form.group);
-        } else if (is_flat_intersection(form)) {
+        } else if (form.kind == Form::Kind::all && is_flat(form)) {
             for (const Form& part : form.parts) add_group(part.group);
         } else {
             add_program(form);
+            object.form = is_flat(form) ? FORM_ANY : FORM_PROGRAM;
         }
         object.group_count = static_cast<u32>(out.groups.size()) - object.group_begin;
         object.program_count = static_cast<u32>(out.programs.size()) - object.program_begin;
@@ -107,10 +126,9 @@ public:
     }
 
 private:
-    static bool is_flat_intersection(const Form& form)
+    static bool is_flat(const Form& form)
     {
-        return form.kind == Form::Kind::all &&
-               std::ranges::all_of(form.parts, [](const Form& p) { return p.kind == Form::Kind::group; });
+        return std::ranges::all_of(form.parts, [](const Form& p) { return p.kind == Form::Kind::group; });
     }
 
     u32 add_group(const Group& group)
@@ -226,6 +244,7 @@ private:
         store(q.s, quadric.s);
         q.g = static_cast<float>(quadric.g);
         q.w = static_cast<float>(quadric.w);
+        q.norm = static_cast<float>(norm_bound(quadric.m));
         out.quadrics.push_back(q);
         quadrics++;
         grain = std::max(grain, length(origin - center));
@@ -254,6 +273,20 @@ private:
     std::size_t planes = 0, spheres = 0, quadrics = 0, tori = 0;
     std::vector<std::pair<const Member*, u32>> known_members;
 };
+
+/// The box relative to the eye, wide enough for what rounding does to rays that start on the object or pass by.
+FloatBox stored_box(const Box& box, Vec3 eye)
+{
+    FloatBox out;
+    const Vec3 low = box.low - eye, high = box.high - eye;
+    const double margin = bound_margin * length(high - low) + rounding_margin * std::max(length(low), length(high));
+    for (int axis = 0; axis < 3; axis++) {
+        const double a = component(low, axis), b = component(high, axis);
+        out.low[axis] = static_cast<float>(std::isfinite(a) ? a - margin : a);
+        out.high[axis] = static_cast<float>(std::isfinite(b) ? b + margin : b);
+    }
+    return out;
+}
 
 std::size_t bytes_of(const LayoutObject& object, const ObjectReport& report, const ObjectBuffers& out)
 {
@@ -315,7 +348,7 @@ ObjectBuffers compile_objects(const Scene& scene, Vec3 eye, double start_radius)
             throw Error(object.at,
                         "this solid has too many members; expected at most " + std::to_string(most_members_of_object));
         const Form form = normal_form(*object.solid);
-        const BoundingSphere bound = bounding_sphere(form);
+        const auto [bound, box] = bounds_of(form);
         const bool compact = is_compact(form, bound, eye);
         // The centre is what float keeps of it: all else in the object is relative to that.
         const Vec3 center = rounded((compact ? bound.center : anchor(form, eye)) - eye) + eye;
@@ -335,9 +368,9 @@ ObjectBuffers compile_objects(const Scene& scene, Vec3 eye, double start_radius)
         if (layout.program_count > 0 || layout.group_count > 1) out.features |= feature_groups;
         out.most_groups = std::max<std::size_t>(out.most_groups, layout.group_count);
         const double margin = start_radius + 1e-5 * (start_radius + length(eye - center));
-        if (length(eye - center) <= report.radius + margin && holds(form, eye, margin).value_or(true))
-            out.starts.push_back(static_cast<u32>(out.objects.size()));
+        if (length(eye - center) <= report.radius + margin && holds(form, eye, margin).value_or(true)) out.starts++;
         out.objects.push_back(layout);
+        out.boxes.push_back(stored_box(box, eye));
         out.reports.push_back(std::move(report));
         check_sizes(object, out);
     }

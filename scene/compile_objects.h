@@ -4,11 +4,13 @@
 #include "kernels/layout.h"
 #include "scene/compile.h"
 #include "scene/linear.h"
+#include "scene/tree.h"
 
 namespace clucida::scene {
 
 struct ObjectBuffers {
     std::vector<LayoutObject> objects;
+    std::vector<FloatBox> boxes; ///< of the objects, relative to the eye
     std::vector<LayoutGroup> groups;
     std::vector<u32> members, programs;
     std::vector<LayoutPlane> planes;
@@ -16,7 +18,7 @@ struct ObjectBuffers {
     std::vector<LayoutSphere> spheres;
     std::vector<LayoutQuadric> quadrics;
     std::vector<LayoutTorus> tori;
-    std::vector<u32> starts;
+    std::size_t starts = 0; ///< objects that may hold the start of an observer's ray
     std::vector<ObjectReport> reports;
     std::uint32_t features = 0;
     std::size_t most_groups = 1;

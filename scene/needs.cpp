@@ -37,7 +37,7 @@ std::span<const FeatureName> feature_names()
 Needs unite(const Needs& a, const Needs& b)
 {
     return {a.features | b.features, std::max(a.interior, b.interior), std::max(a.stack, b.stack),
-            std::max(a.groups, b.groups)};
+            std::max(a.groups, b.groups), std::max(a.walk, b.walk)};
 }
 
 std::string build_options(const Needs& needs)
@@ -55,6 +55,7 @@ std::string build_options(const Needs& needs)
     options += "-DCLU_INTERIOR_CAPACITY=" + std::to_string(needs.interior);
     options += " -DCLU_STACK_CAPACITY=" + std::to_string(needs.stack);
     options += " -DCLU_GROUP_CAPACITY=" + std::to_string(needs.groups);
+    options += " -DCLU_WALK_CAPACITY=" + std::to_string(needs.walk);
     return options;
 }
 

@@ -1,4 +1,4 @@
-/// What a scene asks of the kernels: a small mask of features and three capacities. It selects a variant of the
+/// What a scene asks of the kernels: a small mask of features and four capacities. It selects a variant of the
 /// program; counts and coordinates never do, so one build serves a whole sequence.
 #pragma once
 
@@ -43,6 +43,7 @@ struct Needs {
     unsigned interior = 1; ///< objects that may hold one point: capacity class
     unsigned stack = 0;    ///< pending branches of a ray: capacity class
     unsigned groups = 1;   ///< groups of the largest object: capacity class
+    unsigned walk = 8;     ///< nodes and objects that wait on a walk through the tree: capacity class
     bool operator==(const Needs&) const = default;
 };
 

@@ -26,6 +26,7 @@ scene::Needs all_features()
     for (const scene::FeatureName& f : scene::feature_names())
         if (f.feature != scene::feature_as_gun && f.feature != scene::feature_as_rayt) needs.features |= f.feature;
     needs.interior = needs.stack = needs.groups = 64;
+    needs.walk = 256;
     return needs;
 }
 
@@ -97,7 +98,7 @@ Machine& machine()
 cl_uint set_scene(const Machine& m, cl::Kernel& kernel, const Native& scene)
 {
     const scene::Needs &needs = scene.compiled.needs, all = all_features();
-    if (needs.interior > all.interior || needs.stack > all.stack || needs.groups > all.groups)
+    if (needs.interior > all.interior || needs.stack > all.stack || needs.groups > all.groups || needs.walk > all.walk)
         throw std::runtime_error("this scene needs more room than the tests' program has on a device");
     if (!scene.on_device) {
         scene.on_device = std::make_shared<DeviceScene>();

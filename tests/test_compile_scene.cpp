@@ -132,15 +132,15 @@ TEST(CompileScene, ObjectsKeepTheirOrderAndWhatBelongsToThem)
     }
 }
 
-TEST(CompileScene, StartsListEveryObjectThatHoldsTheEye)
+TEST(CompileScene, StartsCountEveryObjectThatHoldsTheEye)
 {
     Random random(2);
-    unsigned held = 0, listed = 0;
+    unsigned held = 0, counted = 0;
     for (int i = 0; i < 300; i++) {
         const Vec3 eye = random_in_box(random, 5);
         Scene scene = empty_scene();
         scene.observer = Pinhole{eye, eye + Vec3{0, 1, 0}, {0, 0, 1}, 45};
-        std::vector<u32> holders;
+        u32 holders = 0;
         for (u32 k = 0; k < 12; k++) {
             const Vec3 c = random_in_box(random, 5), n = random_direction(random);
             const double r = uniform(random, .5, 6);
@@ -157,29 +157,26 @@ TEST(CompileScene, StartsListEveryObjectThatHoldsTheEye)
                 inside = inside && !(dot(eye - c, n) < 0);
             }
             test::add(scene, s, clear());
-            if (inside) holders.push_back(k);
+            if (inside) holders++;
         }
         const Native native(scene);
-        const auto starts = native.items<u32>(BUFFER_STARTS);
-        ASSERT_TRUE(std::ranges::is_sorted(starts));
-        ASSERT_TRUE(std::ranges::includes(starts, holders));
-        ASSERT_EQ(native.items<LayoutFrame>(BUFFER_FRAME)[0].start_count, starts.size());
-        held += holders.size();
-        listed += starts.size();
+        const u32 starts = native.items<LayoutFrame>(BUFFER_FRAME)[0].start_count;
+        ASSERT_GE(starts, holders);
+        held += holders;
+        counted += starts;
     }
     EXPECT_GT(held, 500U);
-    EXPECT_LT(listed, held + held / 100) << "nor many more";
+    EXPECT_LT(counted, held + held / 100) << "nor many more";
 }
 
-TEST(CompileScene, AnEyeOnABoundaryListsItsObject)
+TEST(CompileScene, AnEyeOnABoundaryCountsItsObject)
 {
     Scene scene = empty_scene();
     test::add(scene, cuboid({0, 1, 0}, {2, 2, 2}), clear());
     test::add(scene, cuboid({0, -1, 0}, {2, 2, 2}), clear());
     test::add(scene, cuboid({0, 5, 0}, {2, 2, 2}), clear());
     const Native native(scene);
-    const auto starts = native.items<u32>(BUFFER_STARTS);
-    EXPECT_EQ(std::vector<u32>(starts.begin(), starts.end()), (std::vector<u32>{0, 1}));
+    EXPECT_EQ(native.items<LayoutFrame>(BUFFER_FRAME)[0].start_count, 2U);
 }
 
 TEST(CompileScene, TheMemoryReportAddsUp)

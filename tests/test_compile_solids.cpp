@@ -128,7 +128,7 @@ TEST(CompileSolids, ToriAndFreeQuadricsHoldThePointsOfTheirFormulas)
         if (i % 4 == 2) tree = transformed(random, tree);
         if (i % 3 == 0) tree = {complement(tree.solid), [tree](Vec3 p) { return !tree.holds(p); }};
         const scene::Form form = scene::normal_form(*tree.solid);
-        const scene::BoundingSphere bound = scene::bounding_sphere(form);
+        const scene::BoundingSphere bound = scene::bounds_of(form).sphere;
         bounded += bound.radius < scene::unbounded ? 1 : 0;
         for (int k = 0; k < 100; k++) {
             const Vec3 p = random_in_box(random, 2.5);
@@ -196,7 +196,7 @@ TEST(CompileSolids, BoundsHoldTheirSolids)
     unsigned bounded = 0, held = 0;
     for (int i = 0; i < 3000; i++) {
         const Tree tree = random_tree(random, 1 + i % 4);
-        const scene::BoundingSphere bound = scene::bounding_sphere(scene::normal_form(*tree.solid));
+        const scene::BoundingSphere bound = scene::bounds_of(scene::normal_form(*tree.solid)).sphere;
         if (!(bound.radius < scene::unbounded)) continue;
         bounded++;
         for (int k = 0; k < 300; k++) {
@@ -212,7 +212,7 @@ TEST(CompileSolids, BoundsHoldTheirSolids)
 
 double radius_of(const SolidPtr& s)
 {
-    return scene::bounding_sphere(scene::normal_form(*s)).radius;
+    return scene::bounds_of(scene::normal_form(*s)).sphere.radius;
 }
 
 SolidPtr both(std::vector<SolidPtr> of)
@@ -249,7 +249,7 @@ TEST(CompileSolids, AParaboloidEndsWithACylinderAlongItsAxis)
 {
     const SolidPtr dish = solid(scene::Paraboloid{{0, 0, 0}, {0, .25, 0}}); // y > x^2 + z^2
     const auto cut = [&](Vec3 point, Vec3 axis) {
-        return scene::bounding_sphere(scene::normal_form(*both({dish, solid(scene::Cylinder{point, axis})})));
+        return scene::bounds_of(scene::normal_form(*both({dish, solid(scene::Cylinder{point, axis})}))).sphere;
     };
     const scene::BoundingSphere bound = cut({.5, -7, 0}, {0, -.5, 0});
     EXPECT_LT(bound.radius, std::sqrt(3));

@@ -1,0 +1,297 @@
+/* The quick search: the next crossing in plain arithmetic, where no other lies so near that rounding could tell a
+ * different story. Else it says that it is not sure, and the full search decides. */
+#ifndef CLUCIDA_QUICK_H
+#define CLUCIDA_QUICK_H
+
+#include "kernels/csg.h"
+#include "kernels/interior.h"
+#include "kernels/solids/quick.h"
+#include "kernels/tree.h"
+
+/* A crossing at ray parameter t, right to within tolerance; or, if not sure, t is where doubt begins. */
+typedef struct {
+    real t, tolerance;
+    u32 object;
+    u32 face; /* as QuickSpan's */
+    int at_hi;
+    int sure;
+} QuickCrossing;
+
+INLINED QuickSpan quick_member(const World* world, u32 member, const QuickLine* line)
+{
+    const int left = (member & ~MEMBER_INVERSE) == line->left;
+    const u32 index = member >> MEMBER_SHIFT;
+    QuickSpan span = quick_span(-INFINITE, INFINITE, QUICK_VAGUE, 1);
+    switch (member & MEMBER_KIND) {
+#ifdef CLU_PLANE
+    case MEMBER_PLANE: span = quick_plane(&world->planes[index], line, left); break;
+#endif
+#ifdef CLU_SPHERE
+    case MEMBER_SPHERE: span = quick_sphere(&world->spheres[index], line, left); break;
+#endif
+#ifdef CLU_QUADRIC
+    case MEMBER_QUADRIC: span = quick_quadric(&world->quadrics[index], line, left); break;
+#endif
+    default: break; /* a torus has two intervals: vague */
+    }
+    if (member & MEMBER_INVERSE) span.keep = !span.keep;
+    span.face_lo = span.face_hi = member;
+    return span;
+}
+
+/* What both spans, that keep, hold. */
+INLINED void quick_cut(QuickSpan* span, const QuickSpan* by)
+{
+    if (by->lo > span->lo) {
+        span->lo = by->lo;
+        span->face_lo = by->face_lo;
+        span->marks = (span->marks & ~QUICK_LEFT_LO) | (by->marks & QUICK_LEFT_LO);
+    }
+    if (by->hi < span->hi) {
+        span->hi = by->hi;
+        span->face_hi = by->face_hi;
+        span->marks = (span->marks & ~QUICK_LEFT_HI) | (by->marks & QUICK_LEFT_HI);
+    }
+    span->marks |= by->marks & QUICK_VAGUE;
+}
+
+/* Inside out. One that then starts or ends nowhere keeps one side of an end; where that is vague, nothing is known. */
+INLINED QuickSpan quick_complement(QuickSpan s)
+{
+    s.keep = !s.keep;
+    if (s.keep || (s.lo > -INFINITE && s.hi < INFINITE)) return s;
+    s.keep = 1;
+    if (s.marks & QUICK_VAGUE) {
+        s.lo = -INFINITE;
+        s.hi = INFINITE;
+    } else if (s.lo > -INFINITE) {
+        s.hi = s.lo;
+        s.face_hi = s.face_lo;
+        s.lo = -INFINITE;
+        s.marks = s.marks << 1;
+    } else if (s.hi < INFINITE) {
+        s.lo = s.hi;
+        s.face_lo = s.face_hi;
+        s.hi = INFINITE;
+        s.marks = s.marks >> 1;
+    } else {
+        s.lo = INFINITE;
+        s.hi = -INFINITE;
+    }
+    return s;
+}
+
+/* A group's span; one that does not keep has two ends. */
+INLINED QuickSpan quick_group(const World* world, __global const LayoutGroup* group, const QuickLine* line)
+{
+    const u32 single = group->single;
+    QuickSpan s =
+        single ? quick_member(world, world->members[group->begin], line) : quick_span(-INFINITE, INFINITE, 0, 1);
+    if (group->count > 1) {
+#ifdef CLU_PLANE
+        for (u32 i = 0; i < group->block_count && s.lo < s.hi; i++)
+            quick_block(&world->blocks[group->block_begin + i], group->block_begin + i, line, &s);
+#endif
+        for (u32 i = 1; i < single && s.lo < s.hi; i++) {
+            const QuickSpan m = quick_member(world, world->members[group->begin + i], line);
+            quick_cut(&s, &m);
+        }
+    }
+    if (fabs(s.hi - s.lo) < line->tolerance) s.marks |= QUICK_VAGUE;
+    if (group->inverse) {
+        s = quick_complement(s);
+        s.face_lo ^= MEMBER_INVERSE;
+        s.face_hi ^= MEMBER_INVERSE;
+    }
+    return s;
+}
+
+/* What an object holds of a line, or does not: one interval less some. */
+#define QUICK_GAPS (CLU_GROUP_CAPACITY < 8 ? CLU_GROUP_CAPACITY : 8)
+typedef struct {
+    QuickSpan whole;
+    u32 gap_count;
+    QuickSpan gaps[QUICK_GAPS];
+} QuickSolid;
+
+INLINED int quick_unsure(QuickCrossing* c, real at)
+{
+    c->t = at;
+    c->sure = 0;
+    return 1;
+}
+
+INLINED int quick_end(QuickCrossing* c, real at, u32 face, int at_hi)
+{
+    c->t = at;
+    c->face = face;
+    c->at_hi = at_hi;
+    c->sure = 1;
+    return 1;
+}
+
+/* Where the solid is entered from `from` on. passed: it has been left there. */
+INLINED int quick_entry(const QuickSolid* solid, real from, real tolerance, int passed, QuickCrossing* c)
+{
+    const QuickSpan* whole = &solid->whole;
+    if (whole->hi <= from + tolerance && (whole->hi < from - tolerance || whole->marks & QUICK_LEFT_HI || passed))
+        return 0;
+    if (whole->marks & QUICK_VAGUE || whole->hi <= from + tolerance) return quick_unsure(c, larger(whole->lo, from));
+    quick_end(c, whole->lo, whole->face_lo, 0);
+    /* Within the whole the ray must begin in a gap. */
+    int in_gap = whole->lo > from + tolerance;
+    if (!in_gap) {
+        if (whole->lo > from - tolerance) return quick_unsure(c, from);
+        c->t = from;
+    }
+    u32 gap = solid->gap_count;
+    for (u32 i = 0; i < solid->gap_count; i++) {
+        const QuickSpan* g = &solid->gaps[i];
+        if (i == gap || g->lo > c->t + tolerance || g->hi < c->t - tolerance) continue;
+        const int starts = g->lo > c->t - tolerance, at_start = c->t == from && !in_gap;
+        if (g->marks & QUICK_VAGUE || g->hi < c->t + tolerance ||
+            (starts && !(at_start && (passed || g->marks & QUICK_LEFT_LO))))
+            return quick_unsure(c, c->t);
+        quick_end(c, g->hi, g->face_hi, 1);
+        in_gap = 1;
+        gap = i;
+        i = 0xffffffffu; /* others may begin within this one */
+    }
+    if (!in_gap) return quick_unsure(c, from);
+    if (c->t > whole->hi + tolerance) return 0;
+    if (c->t > whole->hi - tolerance) return quick_unsure(c, whole->hi - tolerance);
+    return 1;
+}
+
+/* Where the solid is left from `from` on. */
+INLINED int quick_exit(const QuickSolid* solid, real from, real tolerance, QuickCrossing* c)
+{
+    const QuickSpan* whole = &solid->whole;
+    if (whole->marks & QUICK_VAGUE || whole->lo > from + tolerance || !(whole->hi > from + tolerance))
+        return quick_unsure(c, from);
+    quick_end(c, whole->hi, whole->face_hi, 1);
+    real second = INFINITE;
+    for (u32 i = 0; i < solid->gap_count; i++) {
+        const QuickSpan* g = &solid->gaps[i];
+        if (g->hi < from + tolerance && g->lo < from - tolerance && !(g->marks & QUICK_VAGUE)) continue;
+        if (g->lo < from + tolerance) return quick_unsure(c, from);
+        if (g->marks & QUICK_VAGUE) {
+            second = smaller(second, g->lo);
+        } else if (g->lo < c->t) {
+            second = c->t;
+            quick_end(c, g->lo, g->face_lo, 0);
+        } else {
+            second = smaller(second, g->lo);
+        }
+    }
+    return second > c->t + tolerance ? 1 : quick_unsure(c, smaller(c->t, second));
+}
+
+/* Where an object's boundary is next crossed from ray parameter x on, which is known to err: 0 if nowhere. */
+INLINED int quick_crossing(const World* world, u32 id, const Ray* ray, real x, real err, int inside, int passed,
+                           QuickCrossing* c)
+{
+    __global const LayoutObject* object = &world->objects[id];
+    const QuickLine line = quick_line(ray, object, err);
+    const real from = x + line.start;
+    const int any = object->form == FORM_ANY;
+    QuickSolid solid;
+    solid.whole = quick_span(-INFINITE, INFINITE, 0, 1);
+    solid.gap_count = 0;
+    c->object = id;
+    c->tolerance = line.tolerance;
+    if (object->form == FORM_PROGRAM) return quick_unsure(c, x);
+    for (u32 i = 0; i < object->group_count; i++) {
+        QuickSpan s = quick_group(world, &world->groups[object->group_begin + i], &line);
+        if (any) s = quick_complement(s);
+        if (s.keep)
+            quick_cut(&solid.whole, &s);
+        else if (!(s.lo < s.hi))
+            continue;
+        else if (solid.gap_count == QUICK_GAPS)
+            return quick_unsure(c, x);
+        else
+            solid.gaps[solid.gap_count++] = s;
+        if (inside == any && !(solid.whole.lo < solid.whole.hi && solid.whole.hi > from - line.tolerance)) return 0;
+    }
+    const int met = inside != any ? quick_exit(&solid, from, line.tolerance, c)
+                                  : quick_entry(&solid, from, line.tolerance, passed, c);
+    c->t -= line.start;
+    return met;
+}
+
+/* Whether the object holds the ray's start: 1 or 0, or -1 if that is not sure. */
+INLINED int quick_holds_start(const World* world, __global const LayoutObject* object, const Ray* ray)
+{
+    const QuickLine line = quick_line(ray, object, R(0));
+    const int any = object->form == FORM_ANY;
+    if (object->form == FORM_PROGRAM) return -1;
+    for (u32 i = 0; i < object->group_count; i++) {
+        const QuickSpan s = quick_group(world, &world->groups[object->group_begin + i], &line);
+        if (s.marks & QUICK_VAGUE || fabs(s.lo - line.start) <= line.tolerance ||
+            fabs(s.hi - line.start) <= line.tolerance)
+            return -1;
+        if (((s.lo < line.start && line.start < s.hi) == s.keep) == any) return any;
+    }
+    return !any;
+}
+
+/* Looks at one more object: the nearest crossing stays in *best. */
+INLINED void quick_try(World* world, u32 id, const Ray* ray, real x, real err, int inside, int passed,
+                       QuickCrossing* best)
+{
+    QuickCrossing c;
+    COUNT(world, STAT_TESTS);
+    if (!quick_crossing(world, id, ray, x, err, inside, passed, &c)) return;
+    const real apart = larger(c.tolerance, best->tolerance);
+    if (c.t < best->t - apart || best->t == INFINITE) {
+        *best = c;
+    } else if (c.t <= best->t + apart) {
+        best->sure = 0;
+        best->tolerance = apart;
+        best->t = smaller(c.t, best->t);
+    }
+}
+
+/* The nearest crossing from ray parameter x on, where object `passed` was crossed if any was. t is infinite if there is
+ * none. */
+INLINED QuickCrossing quick_nearest(World* world, const Ray* ray, real x, real err, u32 passed,
+                                    const Interior* interior)
+{
+    QuickCrossing best;
+    best.t = INFINITE;
+    best.tolerance = R(0);
+    best.sure = 1;
+    Walk walk;
+    walk_begin(&walk, ray);
+    for (u32 i = 0; best.sure || best.t > x + best.tolerance; i++) {
+        const int inside = i < interior->count;
+        const u32 id = inside ? interior->ids[i] : walk_next(&walk, world, x - err, best.t + best.tolerance);
+        if (id == WALK_DONE) break;
+        if (!inside && interior_has(interior, id)) continue;
+        quick_try(world, id, ray, x, err, inside, id == passed, &best);
+    }
+    return best;
+}
+
+/* The end of the solid that the full search would have found there. */
+INLINED int confirm(const World* world, const Ray* ray, const QuickCrossing* quick, Crossing* crossing)
+{
+    const Line line = make_line(ray, &world->objects[quick->object]);
+    const u32 number = quick->face >> MEMBER_SHIFT;
+    Span span = span_everything();
+#ifdef CLU_PLANE
+    if (quick->face & QUICK_BLOCK)
+        cut_block(world, &world->blocks[number & ~(QUICK_BLOCK >> MEMBER_SHIFT)], &line, &span);
+    else
+#endif
+        span = member_span(world, quick->face & ~MEMBER_INVERSE, &line);
+    crossing->at = quick->at_hi ? span.hi : span.lo;
+    crossing->slope = quick->at_hi ? span.slope_hi : span.slope_lo;
+    crossing->face = (quick->at_hi ? span.face_hi : span.face_lo) | (quick->face & MEMBER_INVERSE);
+    crossing->t = crossing->at - line.start;
+    crossing->err = crossing_error(&line, crossing);
+    return fabs(crossing->t - quick->t) <= quick->tolerance;
+}
+
+#endif
