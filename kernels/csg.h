@@ -290,7 +290,7 @@ static inline int object_crossing(World* world, __global const LayoutObject* obj
 /* Whether the object holds the ray's start: on its boundary the ray's own side decides. */
 static inline int object_holds_start(const World* world, __global const LayoutObject* object, const Line* line)
 {
-    const real doubt = place_error(line, line->start, R(0));
+    const real doubt = place_error(line, line->start, line->err);
 #ifdef CLU_GROUPS
     if (object->group_count > 1 || object->program_count) {
         Span spans[CLU_GROUP_CAPACITY];

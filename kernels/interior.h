@@ -9,8 +9,6 @@ typedef struct {
     u32 ids[CLU_INTERIOR_CAPACITY];
 } Interior;
 
-#define VACUUM 0xffffffffu /* of lower precedence than any object */
-
 INLINED u32 medium_of(const Interior* interior)
 {
     return interior->count ? interior->ids[0] : VACUUM;

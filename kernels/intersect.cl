@@ -24,19 +24,18 @@ __kernel void intersect(SCENE_PARAMETERS, __global const uint2* restrict pixels,
     for (uint step = 0; step < steps; step++) {
         __global real* at = numbers + 9 * (item * steps + step);
         __global uint* mark = marks + 3 * (item * steps + step);
-        Interior beyond;
         Surface s;
         note_vec(at, ray.o);
         note_vec(at + 3, ray.d);
         mark[0] = 1;
-        if (!next_surface(&world, &ray, &branch.interior, &beyond, &s)) return;
+        if (!next_surface(&world, &ray, branch.medium, &s)) return;
         note_vec(at + 6, s.p);
         mark[0] = 2;
         mark[1] = s.object;
         mark[2] = s.left;
         const int straight = (int)((pixels[item].x + pixels[item].y * 3u) >> (step % 3u) & 1u);
         if (straight)
-            interior_copy(&branch.interior, &beyond);
+            branch.medium = s.after;
         else
             ray.d = reflected(ray.d, s.facing, s.cosine);
         ray.o = s.p;

@@ -85,10 +85,10 @@ int NATIVE(native_surface)(const NativeScene* scene, const NativeRay* ray, const
 {
     World world = make_world(scene);
     const Ray r = make_ray(ray);
-    Interior interior = {0}, beyond = {0};
-    for (u32 i = 0; i < count; i++) interior_toggle(&world, &interior, inside[i]);
+    u32 medium = VACUUM;
+    for (u32 i = 0; i < count; i++) medium = inside[i] < medium ? inside[i] : medium;
     Surface s;
-    const int found = next_surface(&world, &r, &interior, &beyond, &s);
+    const int found = next_surface(&world, &r, medium, &s);
     add_stats(&world, stats);
     if (!found) return 0;
     surface->t = s.t;
@@ -110,7 +110,7 @@ void NATIVE(native_trace)(const NativeScene* scene, const NativeRay* ray, double
     branch.ray = make_ray(ray);
     branch.throughput = branch.weight = grey(R(1));
     branch.hops = world.frame->max_hops;
-    branch.interior.count = 0;
+    branch.medium = VACUUM;
     const rgb color = trace(&world, &branch);
     rgb_out[0] = color.r;
     rgb_out[1] = color.g;

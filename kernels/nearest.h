@@ -1,8 +1,10 @@
-/* Searches over the objects: the nearest crossing with all that coincide with it, and whether a light is hidden. */
+/* The full search over the objects: the nearest crossing with all that coincide with it. */
 #ifndef CLUCIDA_NEAREST_H
 #define CLUCIDA_NEAREST_H
 
-#include "kernels/quick.h"
+#include "kernels/csg.h"
+#include "kernels/interior.h"
+#include "kernels/tree.h"
 
 /* Boundaries crossed as one, the nearest at t. More than fit are met again at once by the next search. */
 #define INTERFACE_CAPACITY 6
@@ -81,12 +83,14 @@ static inline void interface_again(World* world, const Ray* ray, real x, real er
     }
 }
 
-static inline int full_interface(World* world, const Ray* ray, real x, real err, const Interior* interior,
-                                 Interface* face)
+/* The nearest crossing of any object from ray parameter x on, and those that rounding cannot tell from it. Returns 0 if
+ * there is none. */
+static inline int nearest_interface(World* world, const Ray* ray, real x, real err, const Interior* interior,
+                                    Interface* face)
 {
     face->t = INFINITE;
     face->count = 0;
-    COUNT(world, STAT_FULL);
+    COUNT(world, STAT_QUERIES);
     Walk walk;
     walk_begin(&walk, ray);
     for (u32 i = 0;; i++) {
@@ -101,78 +105,22 @@ static inline int full_interface(World* world, const Ray* ray, real x, real err,
     return face->count > 0;
 }
 
-/* The nearest crossing of any object from ray parameter x on, and those that rounding cannot tell from it. Returns 0 if
- * there is none. passed: the object that was crossed at x, or VACUUM. */
-static inline int nearest_interface(World* world, const Ray* ray, real x, real err, u32 passed,
-                                    const Interior* interior, Interface* face)
+/* The objects that hold the ray's start, just after it; of the medium there and those above it that is known. */
+static inline void find_interior(World* world, const Ray* ray, u32 medium, Interior* interior)
 {
-    COUNT(world, STAT_QUERIES);
-    const QuickCrossing quick = quick_nearest(world, ray, x, err, passed, interior);
-    if (quick.t == INFINITE) return 0;
-    if (quick.sure && confirm(world, ray, &quick, &face->crossings[0])) {
-        face->t = face->crossings[0].t;
-        face->ids[0] = quick.object;
-        face->count = 1;
-        return 1;
-    }
-    return full_interface(world, ray, x, err, interior, face);
-}
-
-/* Adds the objects that hold the ray's start. */
-static inline void interior_at_start(World* world, const Ray* ray, Interior* interior)
-{
+    interior->count = 0;
+    if (medium == VACUUM) return;
+    interior_toggle(world, interior, medium);
     Walk walk;
     walk_begin(&walk, ray);
     for (;;) {
-        const u32 id = walk_next(&walk, world, R(0), R(0));
+        const u32 id = walk_next(&walk, world, -ray->err, ray->err);
         if (id == WALK_DONE) return;
-        __global const LayoutObject* object = &world->objects[id];
-        int holds = quick_holds_start(world, object, ray);
-        if (holds < 0) {
-            const Line line = make_line(ray, object);
-            holds = object_holds_start(world, object, &line);
-        }
-        if (holds) interior_toggle(world, interior, id);
-    }
-}
-
-#ifdef CLU_LIGHTS
-/* Whether any solid's boundary lies between the ray's start and the light at the given distance. A boundary that the
- * light itself lies on does not count. */
-static inline int is_hidden_in_full(World* world, const Ray* ray, real distance)
-{
-    const real err = position_error(ray->o, distance);
-    COUNT(world, STAT_FULL);
-    Walk walk;
-    walk_begin(&walk, ray);
-    for (;;) {
-        const u32 id = walk_next(&walk, world, R(0), distance);
-        if (id == WALK_DONE) return 0;
+        if (id <= medium) continue;
         COUNT(world, STAT_TESTS);
         const Line line = make_line(ray, &world->objects[id]);
-        Crossing crossing;
-        if (object_crossing(world, &world->objects[id], &line, place_at(&line, R(0), ray->err, 0), &crossing) &&
-            crossing.t + crossing.slope * err < distance)
-            return 1;
+        if (object_holds_start(world, &world->objects[id], &line)) interior_toggle(world, interior, id);
     }
 }
-
-static inline int is_hidden(World* world, const Ray* ray, real distance)
-{
-    COUNT(world, STAT_SHADOW);
-    int sure = 1;
-    Walk walk;
-    walk_begin(&walk, ray);
-    for (;;) {
-        const u32 id = walk_next(&walk, world, R(0), distance);
-        if (id == WALK_DONE) return sure ? 0 : is_hidden_in_full(world, ray, distance);
-        COUNT(world, STAT_TESTS);
-        QuickCrossing c;
-        if (!quick_crossing(world, id, ray, R(0), ray->err, 0, 0, &c)) continue;
-        if (c.sure && c.t + c.tolerance < distance) return 1;
-        if (c.t - c.tolerance <= distance) sure = 0;
-    }
-}
-#endif
 
 #endif

@@ -13,7 +13,32 @@ INLINED void sample_offset(u32 i, u32 corner, real* a, real* b)
     *b = R(start + i * 2447445414u) / R(4294967296.0f);
 }
 
-/* The ray through pixel (i, j), and the interior of its start. */
+/* The first object that holds the ray's start. */
+static CALLED u32 full_medium_at_start(World* world, const Ray* ray)
+{
+    u32 medium = VACUUM;
+    Walk walk;
+    walk_begin(&walk, ray);
+    for (;;) {
+        const u32 id = walk_next(&walk, world, R(0), R(0));
+        if (id == WALK_DONE) return medium;
+        if (id >= medium) continue;
+        const Line line = make_line(ray, &world->objects[id]);
+        if (object_holds_start(world, &world->objects[id], &line)) medium = id;
+    }
+}
+
+INLINED u32 medium_at_start(World* world, const Ray* ray)
+{
+    u32 medium;
+    if (quick_medium(world, ray, R(0), VACUUM, &medium)) return medium;
+    World full = *world;
+    medium = full_medium_at_start(&full, ray);
+    take_counts(world, &full);
+    return medium;
+}
+
+/* The ray through pixel (i, j), and the medium of its start. */
 INLINED void observer_branch(World* world, u32 i, u32 j, u32 sample, Branch* branch)
 {
     __global const LayoutFrame* f = world->frame;
@@ -30,8 +55,7 @@ INLINED void observer_branch(World* world, u32 i, u32 j, u32 sample, Branch* bra
     branch->ray.err = R(0);
     branch->throughput = branch->weight = grey(R(1));
     branch->hops = f->max_hops;
-    branch->interior.count = 0;
-    if (f->start_count) interior_at_start(world, &branch->ray, &branch->interior);
+    branch->medium = f->start_count ? medium_at_start(world, &branch->ray) : VACUUM;
 }
 
 /* One sample of a pixel: linear light. */

@@ -4,7 +4,6 @@
 #define CLUCIDA_QUICK_H
 
 #include "kernels/csg.h"
-#include "kernels/interior.h"
 #include "kernels/solids/quick.h"
 #include "kernels/tree.h"
 
@@ -130,13 +129,12 @@ INLINED int quick_end(QuickCrossing* c, real at, u32 face, int at_hi)
     return 1;
 }
 
-/* Where the solid is entered from `from` on. passed: it has been left there. */
-INLINED int quick_entry(const QuickSolid* solid, real from, real tolerance, int passed, QuickCrossing* c)
+/* Where the solid is entered from `from` on. */
+INLINED int quick_entry(const QuickSolid* solid, real from, real tolerance, QuickCrossing* c)
 {
     const QuickSpan* whole = &solid->whole;
-    if (whole->hi <= from + tolerance && (whole->hi < from - tolerance || whole->marks & QUICK_LEFT_HI || passed))
-        return 0;
-    if (whole->marks & QUICK_VAGUE || whole->hi <= from + tolerance) return quick_unsure(c, larger(whole->lo, from));
+    if (whole->hi < from - tolerance || (whole->marks & QUICK_LEFT_HI && whole->hi == from)) return 0;
+    if (whole->marks & QUICK_VAGUE || whole->hi < from + tolerance) return quick_unsure(c, larger(whole->lo, from));
     quick_end(c, whole->lo, whole->face_lo, 0);
     /* Within the whole the ray must begin in a gap. */
     int in_gap = whole->lo > from + tolerance;
@@ -148,9 +146,8 @@ INLINED int quick_entry(const QuickSolid* solid, real from, real tolerance, int 
     for (u32 i = 0; i < solid->gap_count; i++) {
         const QuickSpan* g = &solid->gaps[i];
         if (i == gap || g->lo > c->t + tolerance || g->hi < c->t - tolerance) continue;
-        const int starts = g->lo > c->t - tolerance, at_start = c->t == from && !in_gap;
-        if (g->marks & QUICK_VAGUE || g->hi < c->t + tolerance ||
-            (starts && !(at_start && (passed || g->marks & QUICK_LEFT_LO))))
+        const int left = c->t == from && g->lo == from && g->marks & QUICK_LEFT_LO;
+        if (g->marks & QUICK_VAGUE || g->hi < c->t + tolerance || (g->lo > c->t - tolerance && !left))
             return quick_unsure(c, c->t);
         quick_end(c, g->hi, g->face_hi, 1);
         in_gap = 1;
@@ -159,8 +156,7 @@ INLINED int quick_entry(const QuickSolid* solid, real from, real tolerance, int 
     }
     if (!in_gap) return quick_unsure(c, from);
     if (c->t > whole->hi + tolerance) return 0;
-    if (c->t > whole->hi - tolerance) return quick_unsure(c, whole->hi - tolerance);
-    return 1;
+    return c->t < whole->hi - tolerance ? 1 : quick_unsure(c, whole->hi - tolerance);
 }
 
 /* Where the solid is left from `from` on. */
@@ -187,20 +183,18 @@ INLINED int quick_exit(const QuickSolid* solid, real from, real tolerance, Quick
     return second > c->t + tolerance ? 1 : quick_unsure(c, smaller(c->t, second));
 }
 
-/* Where an object's boundary is next crossed from ray parameter x on, which is known to err: 0 if nowhere. */
-INLINED int quick_crossing(const World* world, u32 id, const Ray* ray, real x, real err, int inside, int passed,
-                           QuickCrossing* c)
+/* Where a ray crosses an object's boundary: 0 if nowhere. inside: whether it starts inside. */
+INLINED int quick_crossing(const World* world, u32 id, const Ray* ray, int inside, QuickCrossing* c)
 {
     __global const LayoutObject* object = &world->objects[id];
-    const QuickLine line = quick_line(ray, object, err);
-    const real from = x + line.start;
+    const QuickLine line = quick_line(ray, object);
     const int any = object->form == FORM_ANY;
     QuickSolid solid;
     solid.whole = quick_span(-INFINITE, INFINITE, 0, 1);
     solid.gap_count = 0;
     c->object = id;
     c->tolerance = line.tolerance;
-    if (object->form == FORM_PROGRAM) return quick_unsure(c, x);
+    if (object->form == FORM_PROGRAM) return quick_unsure(c, R(0));
     for (u32 i = 0; i < object->group_count; i++) {
         QuickSpan s = quick_group(world, &world->groups[object->group_begin + i], &line);
         if (any) s = quick_complement(s);
@@ -209,40 +203,40 @@ INLINED int quick_crossing(const World* world, u32 id, const Ray* ray, real x, r
         else if (!(s.lo < s.hi))
             continue;
         else if (solid.gap_count == QUICK_GAPS)
-            return quick_unsure(c, x);
+            return quick_unsure(c, R(0));
         else
             solid.gaps[solid.gap_count++] = s;
-        if (inside == any && !(solid.whole.lo < solid.whole.hi && solid.whole.hi > from - line.tolerance)) return 0;
+        if (inside == any && !(solid.whole.lo < solid.whole.hi && solid.whole.hi > line.start - line.tolerance))
+            return 0;
     }
-    const int met = inside != any ? quick_exit(&solid, from, line.tolerance, c)
-                                  : quick_entry(&solid, from, line.tolerance, passed, c);
+    const int met = inside != any ? quick_exit(&solid, line.start, line.tolerance, c)
+                                  : quick_entry(&solid, line.start, line.tolerance, c);
     c->t -= line.start;
     return met;
 }
 
-/* Whether the object holds the ray's start: 1 or 0, or -1 if that is not sure. */
-INLINED int quick_holds_start(const World* world, __global const LayoutObject* object, const Ray* ray)
+/* Whether the object holds the point just after ray parameter t: 1 or 0, or -1 if that is not sure. */
+INLINED int quick_holds(const World* world, u32 id, const Ray* ray, real t)
 {
-    const QuickLine line = quick_line(ray, object, R(0));
+    __global const LayoutObject* object = &world->objects[id];
+    const QuickLine line = quick_line(ray, object);
+    const real at = t + line.start;
     const int any = object->form == FORM_ANY;
     if (object->form == FORM_PROGRAM) return -1;
     for (u32 i = 0; i < object->group_count; i++) {
         const QuickSpan s = quick_group(world, &world->groups[object->group_begin + i], &line);
-        if (s.marks & QUICK_VAGUE || fabs(s.lo - line.start) <= line.tolerance ||
-            fabs(s.hi - line.start) <= line.tolerance)
-            return -1;
-        if (((s.lo < line.start && line.start < s.hi) == s.keep) == any) return any;
+        if (s.marks & QUICK_VAGUE || fabs(s.lo - at) <= line.tolerance || fabs(s.hi - at) <= line.tolerance) return -1;
+        if (((s.lo < at && at < s.hi) == s.keep) == any) return any;
     }
     return !any;
 }
 
 /* Looks at one more object: the nearest crossing stays in *best. */
-INLINED void quick_try(World* world, u32 id, const Ray* ray, real x, real err, int inside, int passed,
-                       QuickCrossing* best)
+INLINED void quick_try(World* world, u32 id, const Ray* ray, int inside, QuickCrossing* best)
 {
     QuickCrossing c;
     COUNT(world, STAT_TESTS);
-    if (!quick_crossing(world, id, ray, x, err, inside, passed, &c)) return;
+    if (!quick_crossing(world, id, ray, inside, &c)) return;
     const real apart = larger(c.tolerance, best->tolerance);
     if (c.t < best->t - apart || best->t == INFINITE) {
         *best = c;
@@ -253,25 +247,40 @@ INLINED void quick_try(World* world, u32 id, const Ray* ray, real x, real err, i
     }
 }
 
-/* The nearest crossing from ray parameter x on, where object `passed` was crossed if any was. t is infinite if there is
- * none. */
-INLINED QuickCrossing quick_nearest(World* world, const Ray* ray, real x, real err, u32 passed,
-                                    const Interior* interior)
+/* Where a ray in a medium next leaves it, or enters what has precedence over it: t is infinite if nowhere. What is
+ * below the medium is not there as long as that lasts. */
+INLINED QuickCrossing quick_nearest(World* world, const Ray* ray, u32 medium)
 {
     QuickCrossing best;
     best.t = INFINITE;
     best.tolerance = R(0);
     best.sure = 1;
+    if (medium != VACUUM) quick_try(world, medium, ray, 1, &best);
     Walk walk;
     walk_begin(&walk, ray);
-    for (u32 i = 0; best.sure || best.t > x + best.tolerance; i++) {
-        const int inside = i < interior->count;
-        const u32 id = inside ? interior->ids[i] : walk_next(&walk, world, x - err, best.t + best.tolerance);
+    while (best.sure || best.t > best.tolerance) {
+        const u32 id = walk_next(&walk, world, -ray->err, best.t + best.tolerance);
         if (id == WALK_DONE) break;
-        if (!inside && interior_has(interior, id)) continue;
-        quick_try(world, id, ray, x, err, inside, id == passed, &best);
+        if (id < medium) quick_try(world, id, ray, 0, &best);
     }
     return best;
+}
+
+/* The first object below `above` that holds the point just after ray parameter t, or VACUUM; 0 if that is not sure. */
+INLINED int quick_medium(World* world, const Ray* ray, real t, u32 above, u32* medium)
+{
+    Walk walk;
+    walk_begin(&walk, ray);
+    *medium = VACUUM;
+    for (;;) {
+        const u32 id = walk_next(&walk, world, t, t);
+        if (id == WALK_DONE) return 1;
+        if (id >= *medium || (above != VACUUM && id <= above)) continue;
+        COUNT(world, STAT_TESTS);
+        const int holds = quick_holds(world, id, ray, t);
+        if (holds < 0) return 0;
+        if (holds) *medium = id;
+    }
 }
 
 /* The end of the solid that the full search would have found there. */

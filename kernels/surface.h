@@ -3,6 +3,7 @@
 #define CLUCIDA_SURFACE_H
 
 #include "kernels/nearest.h"
+#include "kernels/quick.h"
 
 typedef struct {
     real t;            /* distance from the ray's origin */
@@ -43,20 +44,21 @@ INLINED Surface make_surface(const World* world, const Ray* ray, u32 id, Crossin
 /* A ray is clear of what lay within err of its start after this many times err, but for the most grazing. */
 #define CLEAR R(64)
 
-/* From the ray's start to the next surface. interior is that of the start; it becomes that just before the surface,
- * and beyond that just after. Returns 0 if the ray meets no surface any more. */
-INLINED int next_surface(World* world, const Ray* ray, Interior* interior, Interior* beyond, Surface* surface)
+/* From the start of a ray in a medium to the next surface, by the full search. Returns 0 if there is none. */
+static CALLED int full_surface(World* world, const Ray* ray, u32 medium, Surface* surface)
 {
     real x = R(0), err = ray->err;
     const u32 most = 16u * world->frame->object_count + 64u;
-    u32 passed = VACUUM;
+    Interior interior, beyond;
     Interface face;
+    COUNT(world, STAT_FULL);
+    find_interior(world, ray, medium, &interior);
     for (u32 step = 0; step < most; step++) {
-        if (!nearest_interface(world, ray, x, err, passed, interior, &face)) return 0;
-        interior_copy(beyond, interior);
-        for (u32 i = 0; i < face.count; i++) interior_toggle(world, beyond, face.ids[i]);
+        if (!nearest_interface(world, ray, x, err, &interior, &face)) return 0;
+        interior_copy(&beyond, &interior);
+        for (u32 i = 0; i < face.count; i++) interior_toggle(world, &beyond, face.ids[i]);
         const real here = position_error(ray->o, face.t) + interface_spread(&face, face.t);
-        const u32 before = medium_of(interior), after = medium_of(beyond);
+        const u32 before = medium_of(&interior), after = medium_of(&beyond);
         if (before != after) {
             const u32 shown = before < after ? before : after;
             u32 i = 0;
@@ -71,14 +73,42 @@ INLINED int next_surface(World* world, const Ray* ray, Interior* interior, Inter
             }
         }
         COUNT(world, STAT_SILENT);
-        interior_copy(interior, beyond);
+        interior_copy(&interior, &beyond);
         /* What lay about the last place counts as passed until it is clear of. */
         err = face.t - x <= CLEAR * err ? larger(err, here) : here;
         x = face.t;
-        passed = face.count == 1 ? face.ids[0] : VACUUM;
     }
     COUNT(world, STAT_STUCK);
     return 0;
+}
+
+/* Likewise by the quick search; -1 if that is not sure. */
+INLINED int quick_surface(World* world, const Ray* ray, u32 medium, Surface* surface)
+{
+    const QuickCrossing quick = quick_nearest(world, ray, medium);
+    if (quick.t == INFINITE) return 0;
+    if (!quick.sure) return -1;
+    u32 after = quick.object;
+    Crossing crossing;
+    if (after == medium && !quick_medium(world, ray, quick.t, medium, &after)) return -1;
+    if (!confirm(world, ray, &quick, &crossing)) return -1;
+    const real left = crossing.t <= CLEAR * ray->err ? ray->err : R(0);
+    *surface = make_surface(world, ray, quick.object, crossing, left, medium, after);
+    return 1;
+}
+
+/* From the start of a ray in a medium to the next surface. Returns 0 if the ray meets no surface any more. */
+INLINED int next_surface(World* world, const Ray* ray, u32 medium, Surface* surface)
+{
+    COUNT(world, STAT_QUERIES);
+    const int found = quick_surface(world, ray, medium, surface);
+    if (found >= 0) return found;
+    World full = *world;
+    Surface by_full;
+    const int found_by_full = full_surface(&full, ray, medium, &by_full);
+    take_counts(world, &full);
+    *surface = by_full;
+    return found_by_full;
 }
 
 #endif

@@ -3,6 +3,7 @@
 #ifndef CLUCIDA_TRACE_H
 #define CLUCIDA_TRACE_H
 
+#include "kernels/hidden.h"
 #include "kernels/optics.h"
 #include "kernels/signature.h"
 #include "kernels/sky.h"
@@ -14,7 +15,7 @@ typedef struct {
     rgb throughput; /* the product of the surface filters since the observer: decides the cutoff */
     rgb weight;     /* throughput times what the media let through */
     u32 hops;       /* segments left, this one included */
-    Interior interior;
+    u32 medium;     /* in force at the ray's start: an object or VACUUM */
 } Branch;
 
 /* A surface's optics at one point. */
@@ -155,20 +156,20 @@ INLINED int is_black(World* world, rgb throughput, rgb weight, u32 hops, u32 med
 }
 
 /* The branch that leaves the surface in direction d, on the near side or beyond. Returns 0 if it would be black. */
-INLINED int follow(World* world, Branch* next, const Surface* s, vec d, int beyond, const Interior* interior,
-                   rgb filter, rgb throughput, rgb weight, u32 hops)
+INLINED int follow(World* world, Branch* next, const Surface* s, vec d, int beyond, u32 medium, rgb filter,
+                   rgb throughput, rgb weight, u32 hops)
 {
     next->throughput = rgb_filter(throughput, filter);
     next->weight = rgb_filter(weight, filter);
     next->hops = hops - 1;
-    if (is_black(world, next->throughput, next->weight, next->hops, medium_of(interior))) return 0;
+    if (is_black(world, next->throughput, next->weight, next->hops, medium)) return 0;
     next->ray.o = s->p;
     next->ray.d = d;
     next->ray.excess = length_excess(d);
     next->ray.left = s->left;
     next->ray.left_inside = beyond ? s->beyond_inside : !s->beyond_inside;
     next->ray.err = s->err;
-    interior_copy(&next->interior, interior);
+    next->medium = medium;
     COUNT(world, STAT_RAYS);
     world->stats[beyond ? STAT_REFRACTED : STAT_REFLECTED]++;
     return 1;
@@ -178,12 +179,11 @@ INLINED int follow(World* world, Branch* next, const Surface* s, vec d, int beyo
  * EVENT_REFLECTED) and *other (EVENT_REFRACTED). */
 INLINED u32 trace_segment(World* world, Branch* branch, Branch* other, rgb* sum)
 {
-    Interior beyond;
     Surface s;
     LayoutEvent event = {world->frame->max_hops - branch->hops, EVENT_NONE, EVENT_NONE, 0, 0};
-    const u32 medium = medium_of(&branch->interior);
+    const u32 medium = branch->medium;
     record_ray(world, &branch->ray, branch->throughput);
-    if (!next_surface(world, &branch->ray, &branch->interior, &beyond, &s)) {
+    if (!next_surface(world, &branch->ray, medium, &s)) {
         record_event(world, event);
         *sum = rgb_add(*sum, rgb_filter(branch->weight, sky_through(world, medium, branch->ray.d)));
         return 0;
@@ -198,7 +198,6 @@ INLINED u32 trace_segment(World* world, Branch* branch, Branch* other, rgb* sum)
     event.face = s.left;
     event.what = s.entering ? EVENT_ENTERING : 0;
     (void)other;
-    (void)beyond;
 #ifdef CLU_EMISSION
     if (finish.index < R(0)) {
         event.what |= EVENT_EMITTED;
@@ -208,7 +207,7 @@ INLINED u32 trace_segment(World* world, Branch* branch, Branch* other, rgb* sum)
     }
 #endif
 #ifdef CLU_LIGHTS
-    if (branch->interior.count == 0)
+    if (medium == VACUUM)
         *sum = rgb_add(*sum, rgb_filter(weight, absorbed(world, &s, finish.absorption, &event.lights)));
 #endif
 #ifdef CLU_TRANSPARENT
@@ -224,7 +223,7 @@ INLINED u32 trace_segment(World* world, Branch* branch, Branch* other, rgb* sum)
                 finish.reflection = rgb_scale(finish.reflection, reflectance);
             }
 #endif
-            if (follow(world, other, &s, refracted(d, s.facing, w, s.cosine, det), 1, &beyond, filter, throughput,
+            if (follow(world, other, &s, refracted(d, s.facing, w, s.cosine, det), 1, s.after, filter, throughput,
                        weight, hops))
                 event.what |= EVENT_REFRACTED;
         } else {
@@ -238,8 +237,8 @@ INLINED u32 trace_segment(World* world, Branch* branch, Branch* other, rgb* sum)
 #endif
     }
 #endif
-    if (follow(world, branch, &s, reflected(d, s.facing, s.cosine), 0, &branch->interior, finish.reflection, throughput,
-               weight, hops))
+    if (follow(world, branch, &s, reflected(d, s.facing, s.cosine), 0, medium, finish.reflection, throughput, weight,
+               hops))
         event.what |= EVENT_REFLECTED;
     record_event(world, event);
     return event.what & (EVENT_REFLECTED | EVENT_REFRACTED);
@@ -249,7 +248,7 @@ INLINED u32 trace_segment(World* world, Branch* branch, Branch* other, rgb* sum)
 INLINED rgb trace(World* world, Branch* branch)
 {
     rgb sum = grey(R(0));
-    if (is_black(world, branch->throughput, branch->weight, branch->hops, medium_of(&branch->interior))) return sum;
+    if (is_black(world, branch->throughput, branch->weight, branch->hops, branch->medium)) return sum;
     COUNT(world, STAT_RAYS);
     COUNT(world, STAT_PRIMARY);
 #if CLU_STACK_CAPACITY > 0

@@ -42,12 +42,11 @@ __kernel void probe_surface(SCENE_PARAMETERS, __global const real* restrict numb
     const size_t item = get_global_id(0);
     World world = SCENE_WORLD;
     const Ray ray = probe_ray(numbers + 7 * item, marks + 4 * item);
-    Interior interior, beyond;
-    interior.count = beyond.count = 0;
-    for (uint i = 0; i < marks[4 * item + 3]; i++) interior_toggle(&world, &interior, inside[marks[4 * item + 2] + i]);
+    uint medium = VACUUM;
+    for (uint i = 0; i < marks[4 * item + 3]; i++) medium = min(medium, inside[marks[4 * item + 2] + i]);
     Surface s;
     __global uint* out = answer_marks + 6 * item;
-    out[0] = (uint)next_surface(&world, &ray, &interior, &beyond, &s);
+    out[0] = (uint)next_surface(&world, &ray, medium, &s);
     probe_count(&world, stats);
     if (!out[0]) return;
     answers[8 * item] = s.t;
@@ -71,7 +70,7 @@ __kernel void probe_trace(SCENE_PARAMETERS, __global const real* restrict number
     branch.ray = probe_ray(numbers + 7 * item, marks + 4 * item);
     branch.throughput = branch.weight = grey(R(1));
     branch.hops = frame->max_hops;
-    branch.interior.count = 0;
+    branch.medium = VACUUM;
     const rgb color = trace(&world, &branch);
     answers[3 * item] = color.r;
     answers[3 * item + 1] = color.g;

@@ -35,7 +35,7 @@ typedef struct {
 #define QUICK_LEFT_HI 8u
 #define QUICK_BLOCK 0x80000000u
 
-INLINED QuickLine quick_line(const Ray* ray, __global const LayoutObject* object, real err)
+INLINED QuickLine quick_line(const Ray* ray, __global const LayoutObject* object)
 {
     QuickLine l;
     l.origin = sub(ray->o, load_vec(object->center));
@@ -43,7 +43,7 @@ INLINED QuickLine quick_line(const Ray* ray, __global const LayoutObject* object
     l.start = dot3(l.origin, l.d);
     l.base = along(l.origin, l.d, -l.start);
     const real size = fabs(l.start) + largest(l.base) + R(object->grain);
-    l.error = fma(QUICK_ROUNDINGS * R(STORED_ROUNDOFF), size, err);
+    l.error = fma(QUICK_ROUNDINGS * R(STORED_ROUNDOFF), size, ray->err);
     l.tolerance = QUICK_SLOPE * l.error;
     l.left = ray->left;
     l.left_inside = ray->left_inside;
