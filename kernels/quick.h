@@ -80,22 +80,37 @@ INLINED QuickSpan quick_complement(QuickSpan s)
     return s;
 }
 
+/* Whether a member is a sphere. */
+INLINED int is_sphere(u32 member)
+{
+    return (member & MEMBER_KIND) == MEMBER_SPHERE;
+}
+
+/* The intersection of a group's members: a sphere, which is likely to hold all the rest, then the planes. */
+INLINED QuickSpan quick_members(const World* world, __global const LayoutGroup* group, const QuickLine* line)
+{
+    QuickSpan s = quick_span(-INFINITE, INFINITE, 0, 1);
+    u32 i = 0;
+    if (group->single && is_sphere(world->members[group->begin])) {
+        s = quick_member(world, world->members[group->begin], line);
+        i = 1;
+    }
+#ifdef CLU_PLANE
+    for (u32 k = 0; k < group->block_count && s.lo < s.hi; k++)
+        quick_block(&world->blocks[group->block_begin + k], group->block_begin + k, line, &s);
+#endif
+    for (; i < group->single && s.lo < s.hi; i++) {
+        const QuickSpan m = quick_member(world, world->members[group->begin + i], line);
+        quick_cut(&s, &m);
+    }
+    return s;
+}
+
 /* A group's span; one that does not keep has two ends. */
 INLINED QuickSpan quick_group(const World* world, __global const LayoutGroup* group, const QuickLine* line)
 {
-    const u32 single = group->single;
     QuickSpan s =
-        single ? quick_member(world, world->members[group->begin], line) : quick_span(-INFINITE, INFINITE, 0, 1);
-    if (group->count > 1) {
-#ifdef CLU_PLANE
-        for (u32 i = 0; i < group->block_count && s.lo < s.hi; i++)
-            quick_block(&world->blocks[group->block_begin + i], group->block_begin + i, line, &s);
-#endif
-        for (u32 i = 1; i < single && s.lo < s.hi; i++) {
-            const QuickSpan m = quick_member(world, world->members[group->begin + i], line);
-            quick_cut(&s, &m);
-        }
-    }
+        group->count == 1 ? quick_member(world, world->members[group->begin], line) : quick_members(world, group, line);
     if (fabs(s.hi - s.lo) < line->tolerance) s.marks |= QUICK_VAGUE;
     if (group->inverse) {
         s = quick_complement(s);

@@ -8,7 +8,8 @@
 /* A walk along a ray. What waits lies on a stack, the nearest of a node's children on top. */
 typedef struct {
     vec o, inverse;             /* the ray's origin; 1/d, finite */
-    u32 near_x, near_y, near_z; /* which bounds the ray meets first (LayoutNode) */
+    u32 near_x, near_y, near_z; /* which bounds the ray meets first (LayoutNode); last the others: */
+    u32 far_x, far_y, far_z;
     u32 next_root, count;
     u32 refs[CLU_WALK_CAPACITY];
     real near[CLU_WALK_CAPACITY];
@@ -27,6 +28,9 @@ INLINED void walk_begin(Walk* walk, const Ray* ray)
     walk->near_x = ray->d.x < R(0) ? 3u : 0u;
     walk->near_y = ray->d.y < R(0) ? 4u : 1u;
     walk->near_z = ray->d.z < R(0) ? 5u : 2u;
+    walk->far_x = 3u - walk->near_x;
+    walk->far_y = 5u - walk->near_y;
+    walk->far_z = 7u - walk->near_z;
     walk->next_root = walk->count = 0;
 }
 
@@ -42,9 +46,9 @@ INLINED void walk_open(Walk* walk, __global const LayoutNode* node, real from, r
     const wide near_x = reach(node->bounds[walk->near_x], walk->o.x, walk->inverse.x);
     const wide near_y = reach(node->bounds[walk->near_y], walk->o.y, walk->inverse.y);
     const wide near_z = reach(node->bounds[walk->near_z], walk->o.z, walk->inverse.z);
-    const wide far_x = reach(node->bounds[(walk->near_x + 3u) % 6u], walk->o.x, walk->inverse.x);
-    const wide far_y = reach(node->bounds[(walk->near_y + 3u) % 6u], walk->o.y, walk->inverse.y);
-    const wide far_z = reach(node->bounds[(walk->near_z + 3u) % 6u], walk->o.z, walk->inverse.z);
+    const wide far_x = reach(node->bounds[walk->far_x], walk->o.x, walk->inverse.x);
+    const wide far_y = reach(node->bounds[walk->far_y], walk->o.y, walk->inverse.y);
+    const wide far_z = reach(node->bounds[walk->far_z], walk->o.z, walk->inverse.z);
     const wide near = wide_larger(wide_larger(near_x, near_y), wide_larger(near_z, wide_all(from)));
     const wide far = wide_smaller(wide_smaller(far_x, far_y), far_z) * wide_all(R(1) + R(8) * UNIT_ROUNDOFF);
     u32 bits = wide_bits(near <= wide_smaller(far, wide_all(to)));

@@ -188,6 +188,13 @@ Form joined(Form::Kind kind, std::vector<Form> parts)
     }
     if (!merged.group.members.empty()) rest.insert(rest.begin(), std::move(merged));
     if (rest.size() == 1) return std::move(rest[0]);
+    const Form::Kind other = kind == Form::Kind::all ? Form::Kind::any : Form::Kind::all;
+    if (rest.size() == 2 && mergeable(rest[0]) && rest[1].kind == other &&
+        std::ranges::all_of(rest[1].parts, mergeable)) {
+        // Flat forms are met faster: (a or b) and c is (a and c) or (b and c).
+        for (Form& part : rest[1].parts) part = joined(kind, {rest[0], std::move(part)});
+        return joined(other, std::move(rest[1].parts));
+    }
     return {kind, {}, std::move(rest)};
 }
 
