@@ -1,9 +1,13 @@
 """Clusters of the kind that the paper's pictures show, as texts of the original program and of clucida.
 
 A cluster is a list of things: a solid, which is an intersection of primitives, and its optics. Its solids lie at random
-about the origin and overlap: fruit with a ball in it, two regular polyhedra in one sphere, wheels, rings, and discs with
-a ball. Three kinds of optics: `glass` (without lights), `lights` (mostly mirrors, three lights), and `clear` (colored
-glass by Fresnel's equations, where rays go on for many hops; the original has no such).
+about the origin and overlap: fruit with a ball in it, two regular polyhedra in one sphere, wheels, rings, and discs
+that a ball sticks in. Optics are of four kinds:
+
+  glass    of high index, without lights
+  lights   mostly mirrors, three lights
+  clear    colored glass by Fresnel's equations, in which rays go on for many hops; the original has no such
+  apart    the same and mirrors, for solids that do not overlap
 """
 
 from __future__ import annotations
@@ -48,6 +52,11 @@ class Thing:
     optics: Optics
 
 
+def seeded(name: str) -> Random:
+    """Random numbers that depend on the scene's name only."""
+    return Random(f"clucida {name}")
+
+
 def add(a: Vector, b: Vector) -> Vector:
     return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
 
@@ -75,6 +84,11 @@ def grey(value: float) -> Vector:
 def mixed(a: Vector, b: Vector, share: float) -> Vector:
     """The color that is `share` of b and the rest of a."""
     return add(scaled(a, 1 - share), scaled(b, share))
+
+
+def in_bytes(color: Vector) -> Vector:
+    """The color rounded to n/255, as the original does on reading."""
+    return (round(color[0] * 255) / 255, round(color[1] * 255) / 255, round(color[2] * 255) / 255)
 
 
 def direction(random: Random) -> Vector:
@@ -149,18 +163,21 @@ class Palette:
 
     def bright(self) -> Optics:
         if self.kind == "lights":
-            return Optics(grey(0.7), grey(0.3))
+            return Optics(in_bytes(grey(0.7)), in_bytes(grey(0.3)))
         if self.kind == "clear":
             return self.glass(0.4)
-        return Optics(scaled(mixed(self.color(), WHITE, 0.8), 0.5), BLACK, INDEX, grey(0.2), grey(0.1))
+        if self.kind == "apart":
+            return Optics(mixed(self.color(), WHITE, 0.7))
+        shine = in_bytes(scaled(mixed(self.color(), WHITE, 0.8), 0.5))
+        return Optics(shine, BLACK, INDEX, grey(0.2), in_bytes(grey(0.1)))
 
     def clear(self) -> Optics:
         if self.kind == "lights":
             return Optics(grey(0.2), grey(0.6), INDEX, grey(0.2), grey(0.2))
-        if self.kind == "clear":
-            return self.glass(0.1)
-        color, water = self.color(), (0.7, 0.8, 0.9)
-        return Optics(scaled(color, 0.2), BLACK, INDEX, mixed(color, water, 0.4), water)
+        if self.kind in ("clear", "apart"):
+            return self.glass(0.1 if self.kind == "clear" else 0.5)
+        color, water = self.color(), in_bytes((0.7, 0.8, 0.9))
+        return Optics(in_bytes(scaled(color, 0.2)), BLACK, INDEX, in_bytes(mixed(color, water, 0.4)), water)
 
 
 def fruit(random: Random, p: Vector, palette: Palette) -> list[Thing]:

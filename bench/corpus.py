@@ -20,30 +20,24 @@ import argparse
 import math
 import sys
 from fnmatch import fnmatch
-from itertools import islice
+from functools import partial
 from pathlib import Path
 from random import Random
 from typing import Callable, Iterator
 
-from clusters import WHITE, Optics, Part, Thing, Vector, cluster, grey, lights_of, mixed, window
-from scene_texts import Window, clu_text, gun_text
-
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "scenes" / "scripts"))
-from make_bricks import COLORS, HEIGHT, brick_text, tiles  # noqa: E402
+from bricks import bricks
+from clusters import WHITE, Optics, Part, Thing, Vector, cluster, grey, lights_of, mixed, seeded, window
+from scene_texts import Window, clu_text, clu_window, gun_text
 
 Lines = Callable[[], Iterator[str]]
 
 SPHERES = (16, 128, 1024, 8192, 65536, 1000000)
 SPHERES_OF_GUN = 8192  # the original tests every object for every ray
+SEEDS = 4  # clusters of each size
 LARGE = ("spheres1000000.clu",)  # written only when asked for
 FIELD: Vector = (1.8, 1.0, 1.0)  # half sizes of the block that the spheres lie in
 FIELD_WINDOW: Window = ((0.0, -4.0, 0.0), (0.0, 0.0, 0.0), (1.1, 0.0, 0.0), (0.0, 0.0, -1.1))
 FIELD_LIGHTS: dict[Vector, Vector] = {(-4.0, -6.0, 5.0): WHITE}
-
-
-def seeded(name: str) -> Random:
-    """Random numbers that depend on the scene's name only."""
-    return Random(f"clucida {name}")
 
 
 def field_radius(count: int) -> float:
@@ -58,41 +52,18 @@ def field_optics(random: Random) -> list[Optics]:
     return glass + [Optics(grey(0.2), mixed(WHITE, c, 0.7)) for c in colors[4:]]
 
 
-def field(count: int) -> Iterator[Thing]:
+def field_solids(random: Random, count: int, optics: list[Optics]) -> Iterator[Thing]:
     """Spheres at random in the block. They overlap now and then; the earlier one is in force."""
-    random = seeded(f"spheres{count}")
-    optics = field_optics(random)
     radius = field_radius(count)
     for _ in range(count):
         x, y, z = (random.uniform(-half, half) for half in FIELD)
         yield Thing((Part("sphere", (x, y, z), radius),), random.choice(optics))
 
 
-def places(side: int) -> Iterator[tuple[float, float, float, int, int]]:
-    """Corner and studs of the bricks of a step pyramid, from the ground up."""
-    for layer, width in enumerate(range(side, 0, -2)):
-        for x, y, nx, ny in tiles(width, layer % 2 == 1):
-            yield x - width / 2, y - width / 2, layer * HEIGHT, nx, ny
-
-
-def bricks(count: int) -> Iterator[str]:
-    """The least step pyramid of at least `count` bricks, without those on top that are too many."""
-    side = next(s for s in range(2, 1000, 2) if sum(1 for _ in places(s)) >= count)
-    random = seeded(f"bricks{count}")
-    high = side / 2 * HEIGHT
-    yield "clucida 1"
-    eye = f"[{-0.85 * side:.6g}, {-1.85 * side:.6g}, {side:.6g}]"
-    yield f"observer {{ eye {eye}; look [0, 0, {high / 4:.6g}]; fov 26 }}"
-    yield "sky gradient { low [0.84, 0.83, 0.8]; middle [0.84, 0.83, 0.8]; high [0.4, 0.6, 0.95] }"
-    for name, (r, g, b) in COLORS.items():
-        yield f"optics {name} {{ reflection 1; index 1.3; refraction 1; passthrough [{r}, {g}, {b}]; fresnel }}"
-    yield "optics table { index -1; refraction [0.84, 0.83, 0.8] }"
-    for nx, ny in ((2, 2), (4, 2), (2, 4)):
-        yield brick_text(f"brick{nx}x{ny}", nx, ny)
-    for x, y, z, nx, ny in islice(places(side), count):
-        color = random.choice(list(COLORS))
-        yield f"object {{ solid move([{x:g}, {y:g}, {z:.6g}], brick{nx}x{ny}); optics {color} }}"
-    yield "object table { solid plane([0, 0, 0], [0, 0, 1]); optics table }"
+def field(count: int) -> Iterator[Thing]:
+    """Spheres of glass and opaque ones."""
+    random = seeded(f"spheres{count}")
+    return field_solids(random, count, field_optics(random))
 
 
 def cluster_scene(name: str, count: int, kind: str) -> tuple[list[Thing], Window, dict[Vector, Vector]]:
@@ -105,27 +76,35 @@ def clusters(seeds: int) -> Iterator[tuple[str, Lines]]:
     for count in (12, 40):
         for seed in range(1, seeds + 1):
             name = f"cluster{count}_{seed}"
-            scene = cluster_scene(name, count, "glass" if seed % 2 else "lights")
-            yield f"{name}.gun", lambda scene=scene: gun_text(*scene)
-            yield f"{name}.clu", lambda scene=scene: clu_text(*scene)
+            things, view, lights = cluster_scene(name, count, "glass" if seed % 2 else "lights")
+            yield f"{name}.gun", partial(gun_text, things, view, lights)
+            yield f"{name}.clu", partial(clu_text, things, list(clu_window(view, lights)))
+
+
+def field_clu(count: int) -> Iterator[str]:
+    return clu_text(field(count), clu_window(FIELD_WINDOW, FIELD_LIGHTS))
+
+
+def field_gun(count: int) -> Iterator[str]:
+    return gun_text(list(field(count)), FIELD_WINDOW, FIELD_LIGHTS)
 
 
 def fields() -> Iterator[tuple[str, Lines]]:
     for count in SPHERES:
-        yield f"spheres{count}.clu", lambda count=count: clu_text(field(count), FIELD_WINDOW, FIELD_LIGHTS)
+        yield f"spheres{count}.clu", partial(field_clu, count)
         if count <= SPHERES_OF_GUN:
-            yield f"spheres{count}.gun", lambda count=count: gun_text(list(field(count)), FIELD_WINDOW, FIELD_LIGHTS)
+            yield f"spheres{count}.gun", partial(field_gun, count)
 
 
 def depths() -> Iterator[tuple[str, Lines]]:
+    things, view, lights = cluster_scene("depth", 24, "clear")
     for hops in (6, 19):
-        scene = cluster_scene("depth", 24, "clear")
-        yield f"depth{hops}.clu", lambda scene=scene, hops=hops: clu_text(*scene, f"hops {hops}")
+        yield f"depth{hops}.clu", partial(clu_text, things, list(clu_window(view, lights)), f"hops {hops}")
 
 
-def corpus(seeds: int = 4) -> dict[str, Lines]:
+def corpus(seeds: int) -> dict[str, Lines]:
     """All scenes by their file names; the lines are made when asked for."""
-    stacks = [(f"bricks{count}.clu", lambda count=count: bricks(count)) for count in (24, 100, 1000)]
+    stacks = [(f"bricks{count}.clu", partial(bricks, count)) for count in (24, 100, 1000)]
     return dict([*clusters(seeds), *fields(), *stacks, *depths()])
 
 
@@ -136,7 +115,7 @@ def chosen(scenes: dict[str, Lines], patterns: list[str]) -> Iterator[tuple[str,
             yield name, lines
 
 
-def write(folder: Path, patterns: list[str], seeds: int) -> list[Path]:
+def write(folder: Path, patterns: list[str], seeds: int = SEEDS) -> list[Path]:
     """Writes the chosen scenes and tells their paths."""
     folder.mkdir(parents=True, exist_ok=True)
     paths = []
@@ -151,7 +130,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description="Writes the scenes on which speed is measured.")
     parser.add_argument("folder", type=Path)
     parser.add_argument("patterns", nargs="*", metavar="PATTERN")
-    parser.add_argument("--seeds", type=int, default=4, help="clusters of each size (4)")
+    parser.add_argument("--seeds", type=int, default=SEEDS, help=f"clusters of each size ({SEEDS})")
     parser.add_argument("--list", action="store_true", help="only print the names")
     given = parser.parse_args()
     if given.list:

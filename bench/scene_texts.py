@@ -2,11 +2,23 @@
 
 from __future__ import annotations
 
-from typing import Iterable, Iterator
+from dataclasses import dataclass, field
+from typing import Iterable, Iterator, Tuple
 
 from clusters import Optics, Part, Thing, Vector
 
-Window = tuple[Vector, Vector, Vector, Vector]
+Window = Tuple[Vector, Vector, Vector, Vector]
+
+
+@dataclass(frozen=True)
+class View:
+    """A pinhole observer of a field of view in degrees of the height, the gradient of the sky, and lights."""
+
+    eye: Vector
+    look: Vector
+    degrees: float
+    sky: tuple[Vector, Vector, Vector]
+    lights: dict[Vector, Vector] = field(default_factory=dict)
 
 
 def number(x: float) -> str:
@@ -64,16 +76,32 @@ def clu_optics(o: Optics) -> str:
     return "{ " + "; ".join(entries) + " }"
 
 
-def clu_text(things: Iterable[Thing], window: Window, lights: dict[Vector, Vector], settings: str = "") -> Iterator[str]:
-    """The lines of a .clu text under the sky `rgb`. Optics are named where they first occur."""
-    yield "clucida 1"
-    if settings:
-        yield f"settings {{ {settings} }}"
+def clu_lights(lights: dict[Vector, Vector]) -> Iterator[str]:
+    for point, color in lights.items():
+        yield f"light {{ point {vector(point)}; color {vector(color)} }}"
+
+
+def clu_window(window: Window, lights: dict[Vector, Vector]) -> Iterator[str]:
+    """The window of the original's observer, its sky `rgb`, and lights."""
     eye, view, column, row = map(vector, window)
     yield f"observer window {{ eye {eye}; view {view}; column {column}; row {row} }}"
     yield "sky rgb"
-    for point, color in lights.items():
-        yield f"light {{ point {vector(point)}; color {vector(color)} }}"
+    yield from clu_lights(lights)
+
+
+def clu_view(view: View) -> Iterator[str]:
+    low, middle, high = map(vector, view.sky)
+    yield f"observer {{ eye {vector(view.eye)}; look {vector(view.look)}; fov {number(view.degrees)} }}"
+    yield f"sky gradient {{ low {low}; middle {middle}; high {high} }}"
+    yield from clu_lights(view.lights)
+
+
+def clu_text(things: Iterable[Thing], head: Iterable[str], settings: str = "") -> Iterator[str]:
+    """The lines of a .clu text. Optics are named where they first occur."""
+    yield "clucida 1"
+    if settings:
+        yield f"settings {{ {settings} }}"
+    yield from head
     names: dict[Optics, str] = {}
     for thing in things:
         if thing.optics not in names:
