@@ -8,12 +8,13 @@ usage: peers.py CLUCIDA [--gun PROGRAM] [--povray PROGRAM] [--rounds N] [--scale
   --povray   POV-Ray 3.7: the scenes of bench/peers, and larger fields of spheres
 
 PATTERNs are of scenes' names. Every scene is rendered without antialiasing and at equal depth; the programs take turns
-for N rounds, and medians are printed. What is timed is tracing alone:
+for N rounds, and medians are printed. Times are microseconds for a pixel, for the slower program may be given a smaller
+picture of the same view. What is timed is tracing alone:
 
-  CPU     seconds of the processor in user mode, one thread: POV-Ray's own figure; of the others those of the process
-          less those of the same scene in a picture of 16x9, which is start, reading and building
-  wall    seconds that pass, all threads: POV-Ray's and clucida's own figures; those of the original, which has one
-          thread, as above
+  CPU     of the processor in user mode, one thread: POV-Ray's own figure; of the others that of the process less that
+          of the same scene in a picture of 16x9, which is start, reading and building
+  wall    that passes, all threads: POV-Ray's and clucida's own figures; that of the original, which has one thread,
+          as above
   rays    how many rays POV-Ray traced for each that clucida did, without those of shadows
 """
 
@@ -60,6 +61,26 @@ class Job:
 
 
 Tracer = Callable[[Job], Cost]
+Pair = Tuple[Cost, Cost]
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A scene and the sizes of the peer's pictures and of clucida's."""
+
+    scene: Path
+    theirs: Size
+    ours: Size
+
+
+@dataclass(frozen=True)
+class Peer:
+    name: str
+    tracer: Tracer
+    threaded: bool
+    options: tuple[str, ...]  # clucida's, beside it
+    scenes: Callable[[Path, list[str]], list[Entry]]
+
 
 GUN_SIZES: dict[str, Size] = {
     "cluster12_*": (640, 360),
@@ -67,10 +88,11 @@ GUN_SIZES: dict[str, Size] = {
     "spheres1024": (320, 180),
     "spheres8192": (160, 90),
 }
+BESIDE_GUN: Size = (1280, 720)
 POVRAY_SIZE: Size = (960, 540)
 POVRAY_FIELDS = ("spheres8192", "spheres65536")
 HEAD = (
-    "| scene | size | {peer}, CPU s | clucida, CPU s | ratio | {peer}, wall s | clucida, wall s | ratio "
+    "| scene | sizes | {peer}, CPU µs | clucida, CPU µs | ratio | {peer}, wall µs | clucida, wall µs | ratio "
     "| rays | equal, % | within 1 | within 3 | mean steps | FLIP |"
 )
 RULE = "|---|---" + "|---:" * 12 + "|"
@@ -122,18 +144,25 @@ def gun_tracer(program: str) -> Tracer:
 
 
 def povray_tracer(program: str) -> Tracer:
+    """POV-Ray with the faster of its two ways of bounding, which a first run of each tells."""
     times = re.compile(r"Trace Time:.*\(([\d.]+) seconds\)\s+using \d+ thread\(s\) with ([\d.]+) CPU-seconds")
     counts = re.compile(r"Rays:\s+(\d+)\s+Saved:\s+(\d+)")
+    faster: dict[Path, str] = {}
 
-    def trace(job: Job) -> Cost:
+    def run(job: Job, bounding: str) -> Cost:
         width, height = job.size
         files = [f"+I{job.scene.with_suffix('.pov')}", f"+O{job.picture}", "+FP", "File_Gamma=srgb"]
-        command = [program, *files, f"+W{width}", f"+H{height}", "-A", "-D", "-V", f"+WT{job.threads}"]
+        command = [program, *files, f"+W{width}", f"+H{height}", "-A", "-D", "-V", f"+WT{job.threads}", bounding]
         _, _, done = spent(command, job)
         took, rays = times.search(done.stderr), counts.search(done.stderr)
         if not took or not rays:
             raise SystemExit(f"peers.py: {program} reports no times\n{done.stderr}")
         return Cost(float(took[2]), float(took[1]), int(rays[1]) - int(rays[2]))
+
+    def trace(job: Job) -> Cost:
+        if job.scene not in faster:
+            faster[job.scene] = min(("+BM1", "+BM2"), key=lambda bounding: run(job, bounding).cpu)
+        return run(job, faster[job.scene])
 
     return trace
 
@@ -159,42 +188,82 @@ def apart(clucida: str, ours: Path, theirs: Path, linear: bool) -> str:
     return f"{near} | {sum(steps) / len(steps):.3f} | {flip:.4f}"
 
 
-def seconds(cost: float) -> str:
-    return f"{cost:.3g}" if cost < 100 else f"{cost:.0f}"
+def a_pixel(amount: float, size: Size) -> float:
+    """Millionths of an amount for a picture that fall to a pixel."""
+    return 1e6 * amount / (size[0] * size[1])
 
 
-def row(given: argparse.Namespace, scene: Path, size: Size, ours: Tracer, theirs: Tracer, folder: Path) -> str:
+def times(theirs: float, ours: float, entry: Entry) -> str:
+    """Cells of the table: microseconds for a pixel of either, and their ratio."""
+    a, b = a_pixel(theirs, entry.theirs), a_pixel(ours, entry.ours)
+    return f"{a:.3g} | {b:.3g} | {a / b:.3g}"
+
+
+def measured(ours: Tracer, peer: Peer, entry: Entry, rounds: int, folder: Path) -> tuple[Pair, Pair]:
+    """Costs of the peer and of clucida, with one thread and with all. The pictures are left in the folder."""
+    turns = []
+    for threads in (1, THREADS):
+        turns.append((peer.tracer, Job(entry.scene, entry.theirs, folder / "theirs.ppm", threads)))
+        turns.append((ours, Job(entry.scene, entry.ours, folder / "ours.ppm", threads)))
+    if not peer.threaded:
+        del turns[2]
+    costs = in_turns(turns, rounds)
+    return (costs[0], costs[1]), (costs[2] if peer.threaded else costs[0], costs[-1])
+
+
+def row(clucida: str, ours: Tracer, peer: Peer, entry: Entry, rounds: int, folder: Path) -> str:
     """One line of the table."""
-    size = (max(1, round(size[0] * given.scale)), max(1, round(size[1] * given.scale)))
-    one = [(theirs, Job(scene, size, folder / "theirs.ppm", 1)), (ours, Job(scene, size, folder / "ours.ppm", 1))]
-    every = [(tracer, Job(scene, size, job.picture, THREADS)) for tracer, job in one]
-    (their_one, our_one), (their_all, our_all) = in_turns(one, given.rounds), in_turns(every, given.rounds)
-    rays = f"{their_one.rays / our_one.rays:.3f}" if their_one.rays else "-"
-    return (
-        f"| {scene.stem} | {text(size)} | {seconds(their_one.cpu)} | {seconds(our_one.cpu)} "
-        f"| {their_one.cpu / our_one.cpu:.2f} | {seconds(their_all.wall)} | {seconds(our_all.wall)} "
-        f"| {their_all.wall / our_all.wall:.2f} | {rays} "
-        f"| {apart(given.clucida, folder / 'ours.ppm', folder / 'theirs.ppm', scene.suffix == '.gun')} |"
-    )
+    one, every = measured(ours, peer, entry, rounds, folder)
+    if entry.ours != entry.theirs:
+        ours(Job(entry.scene, entry.theirs, folder / "ours.ppm", THREADS))
+    rays = a_pixel(one[0].rays, entry.theirs) / a_pixel(one[1].rays, entry.ours)
+    cells = [
+        entry.scene.stem,
+        f"{text(entry.theirs)}, {text(entry.ours)}",
+        times(one[0].cpu, one[1].cpu, entry),
+        times(every[0].wall, every[1].wall, entry),
+        f"{rays:.3f}" if rays else "-",
+        apart(clucida, folder / "ours.ppm", folder / "theirs.ppm", entry.scene.suffix == ".gun"),
+    ]
+    return "| " + " | ".join(cells) + " |"
 
 
 def wanted(name: str, patterns: list[str]) -> bool:
     return not patterns or any(fnmatch(name, pattern) for pattern in patterns)
 
 
-def gun_scenes(folder: Path, patterns: list[str]) -> list[tuple[Path, Size]]:
-    """Writes the scenes of the original that are wanted, each with its size."""
+def gun_scenes(folder: Path, patterns: list[str]) -> list[Entry]:
+    """Writes the scenes of the original that are wanted."""
     paths = corpus.write(folder, [f"{pattern}.gun" for pattern in GUN_SIZES])
     found = [path for path in paths if wanted(path.stem, patterns)]
-    return [(path, next(s for pattern, s in GUN_SIZES.items() if fnmatch(path.stem, pattern))) for path in found]
+    sizes = [next(size for pattern, size in GUN_SIZES.items() if fnmatch(path.stem, pattern)) for path in found]
+    return [Entry(path, size, BESIDE_GUN) for path, size in zip(found, sizes)]
 
 
-def povray_scenes(folder: Path, patterns: list[str]) -> list[tuple[Path, Size]]:
+def povray_scenes(folder: Path, patterns: list[str]) -> list[Entry]:
     """The scenes of bench/peers and the fields, which are written, as far as they are wanted."""
     shipped = sorted((Path(__file__).resolve().parent / "peers").glob("*.clu"))
     found = [path for path in shipped if wanted(path.stem, patterns)]
     found += [twins.write(folder, name) for name in POVRAY_FIELDS if wanted(name, patterns)]
-    return [(path, POVRAY_SIZE) for path in found]
+    return [Entry(path, POVRAY_SIZE, POVRAY_SIZE) for path in found]
+
+
+def resized(entry: Entry, scale: float) -> Entry:
+    def times_scale(size: Size) -> Size:
+        return max(1, round(size[0] * scale)), max(1, round(size[1] * scale))
+
+    return Entry(entry.scene, times_scale(entry.theirs), times_scale(entry.ours))
+
+
+def peers(gun: str | None, povray: str | None) -> list[Peer]:
+    """Those that are given."""
+    found = []
+    if gun:
+        program = str(Path(gun).resolve())
+        found.append(Peer("original", gun_tracer(program), False, ("--as-original",), gun_scenes))
+    if povray:
+        found.append(Peer("POV-Ray", povray_tracer(povray), True, (), povray_scenes))
+    return found
 
 
 def main() -> None:
@@ -208,21 +277,15 @@ def main() -> None:
     parser.add_argument("--precision", default="float", help="clucida's: float or double")
     given = parser.parse_intermixed_args()
     given.clucida = str(Path(given.clucida).resolve())
-    options = ["--precision", given.precision]
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        tables = []
-        if given.gun:
-            ours = clucida_tracer(given.clucida, [*options, "--as-original"])
-            tables.append(("original", ours, gun_tracer(str(Path(given.gun).resolve())), gun_scenes))
-        if given.povray:
-            ours = clucida_tracer(given.clucida, options)
-            tables.append(("POV-Ray", ours, povray_tracer(given.povray), povray_scenes))
-        for peer, ours, theirs, scenes in tables:
+        for peer in peers(given.gun, given.povray):
+            ours = clucida_tracer(given.clucida, ["--precision", given.precision, *peer.options])
             print(f"One thread for CPU, {THREADS} for wall; medians of {given.rounds} rounds.\n")
-            print(HEAD.format(peer=peer), RULE, sep="\n", flush=True)
-            for scene, size in scenes(folder, given.patterns):
-                print(row(given, scene, size, ours, theirs, folder), flush=True)
+            print(HEAD.format(peer=peer.name), RULE, sep="\n", flush=True)
+            for entry in peer.scenes(folder, given.patterns):
+                scaled = resized(entry, given.scale)
+                print(row(given.clucida, ours, peer, scaled, given.rounds, folder), flush=True)
             print()
 
 

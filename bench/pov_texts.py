@@ -16,8 +16,8 @@ from scene_texts import View, number
 DEFAULTS = "#default { finish { ambient 0 diffuse 0 } }"
 
 
-def pov_vector(v: Vector) -> str:
-    return "<" + ", ".join(number(x) for x in v) + ">"
+def pov_vector(v: Vector, digits: int = 6) -> str:
+    return "<" + ", ".join(f"{x:.{digits}g}" for x in v) + ">"
 
 
 def pov_quadric(point: Vector, axis: Vector, along: float, constant: float) -> str:
@@ -28,7 +28,8 @@ def pov_quadric(point: Vector, axis: Vector, along: float, constant: float) -> s
     height = dot(point, axis)
     linear = add(scaled(point, -2), scaled(axis, 2 * along * height))
     rest = dot(point, point) - along * height * height - constant
-    return f"quadric {{ {pov_vector(squares)}, {pov_vector(products)}, {pov_vector(linear)}, {rest:.8g}"
+    factors = ", ".join(pov_vector(v, 9) for v in (squares, products, linear))
+    return f"quadric {{ {factors}, {rest:.9g}"
 
 
 def pov_part(part: Part) -> str:
@@ -39,7 +40,7 @@ def pov_part(part: Part) -> str:
     axis = unit(part.rest)
     length = math.sqrt(dot(part.rest, part.rest))
     if part.word == "plane":
-        return f"plane {{ {pov_vector(axis)}, {dot(axis, part.point):.8g}{inverse}"
+        return f"plane {{ {pov_vector(axis, 9)}, {dot(axis, part.point):.9g}{inverse}"
     if part.word == "cylinder":
         return pov_quadric(part.point, axis, 1, length * length) + inverse
     return pov_quadric(part.point, axis, 1 + 1 / (length * length), 0) + inverse

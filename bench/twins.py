@@ -80,8 +80,9 @@ def twins(name: str) -> Pair:
 
 def write(folder: Path, name: str) -> Path:
     """Writes NAME.clu and NAME.pov and tells the path of the first."""
+    pair = twins(name)
     about = ABOUT[name.rstrip("0123456789")]
-    for lines, comment, ending, other in zip(twins(name), ("#", "//"), ("clu", "pov"), ("pov", "clu")):
+    for lines, comment, ending, other in zip(pair, ("#", "//"), ("clu", "pov"), ("pov", "clu")):
         head = [f"{comment} {about}", f"{comment} {TWIN.format(other=f'{name}.{other}')}"]
         (folder / f"{name}.{ending}").write_text("\n".join([*head, *lines]) + "\n", encoding="utf-8")
     return folder / f"{name}.clu"

@@ -70,6 +70,22 @@ class Twins(unittest.TestCase):
                 self.assertTrue(scene.with_suffix(".pov").exists())
                 subprocess.run([PROGRAM, "inspect", scene], capture_output=True, check=True)
 
+    def test_those_that_are_written_are_those_that_are_shipped(self):
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([sys.executable, BENCH / "twins.py", folder], check=True)
+            made = sorted(Path(folder).iterdir())
+            self.assertEqual(len(made), 6)
+            for path in made:
+                self.assertEqual(path.read_text(), (BENCH / "peers" / path.name).read_text(), path.name)
+
+    def test_an_unknown_twin_is_an_error(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run(
+                [sys.executable, BENCH / "twins.py", folder, "teapot"], capture_output=True, text=True, check=False
+            )
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("no scene is called teapot", done.stderr)
+
 
 if __name__ == "__main__":
     unittest.main(verbosity=2)

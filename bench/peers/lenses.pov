@@ -6,12 +6,12 @@ global_settings { assumed_gamma 1 max_trace_level 19 adc_bailout 1/256 ambient_l
 
 // Right-handed, z upwards: x to the right, y into the picture. 23.5 degrees are the field of view of the height.
 camera {
-  location <0, -14, 3.2>
+  location <0.3, -14, 3.2>
   right x * image_width / image_height
   up z
   direction y * 0.5 / tan(radians(23.5) / 2)
   sky z
-  look_at <0, 0, 1.1>
+  look_at <0.3, 0, 1.1>
 }
 
 // The horizon stands in the middle of the gradient.
@@ -92,7 +92,7 @@ difference {
   sphere { <2, -3, 0.75>, 0.5 }
   Glass(1.5, Clear, Crown)
 }
-sphere { <3.6, -3.2, 0.6>, 0.55 Glass(2.4, Clear, Clear) }
+sphere { <3.3, -3.2, 0.6>, 0.55 Glass(2.4, Clear, Clear) }
 
 // what shines through
 #declare Bar = box { <-0.175, -0.175, -1.45>, <0.175, 0.175, 1.45> }

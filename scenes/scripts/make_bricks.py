@@ -89,7 +89,7 @@ def main() -> None:
         for layer in range((3, 4, 5, 5, 5, 5)[corner]):
             put(x, y, layer * HEIGHT, 2, 2, "clear" if layer % 3 == 2 else ramp[(corner * 2 + layer) % 7])
     print("# and a few that lie about")
-    for x, y, nx, ny, color, degrees in (
+    for left, front, nx, ny, color, degrees in (
         (-4.2, -11, 4, 2, "red", 20),
         (0.5, -10.4, 2, 2, "yellow", -35),
         (10, -3, 2, 4, "sky", 25),
@@ -98,7 +98,7 @@ def main() -> None:
         (-11.5, 3, 2, 2, "violet", 10),
         (3.2, -11.8, 4, 2, "blue", 15),
     ):
-        put(x, y, 0, nx, ny, color, degrees)
+        put(left, front, 0, nx, ny, color, degrees)
     print("\n# a table that glows, as that of a photographer of slides")
     print("object table { solid plane([0, 0, 0], [0, 0, 1]); optics table }")
 
