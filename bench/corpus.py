@@ -5,7 +5,7 @@ usage: corpus.py FOLDER [PATTERN...] [--seeds N] [--list]
 
   cluster12_SEED, cluster40_SEED   .gun and .clu: clusters of the paper's kind; odd seeds of glass without lights, even
                                    seeds mostly mirrors under three lights
-  spheres16 ... spheres1000000     .clu, up to 8192 also .gun: half glass, half opaque, one light; always about as much
+  spheres16 ... spheres1e6         .clu, up to 8192 also .gun: half glass, half opaque, one light; always about as much
                                    of the picture is covered
   bricks24, bricks100, bricks1000  .clu: transparent toy bricks that lie flush, as in scenes/bricks.clu
   depth6, depth19                  .clu: one cluster of clear glass, rays of at most 6 and 19 hops
@@ -31,10 +31,10 @@ from scene_texts import Window, clu_text, clu_window, gun_text
 
 Lines = Callable[[], Iterator[str]]
 
-SPHERES = (16, 128, 1024, 8192, 65536, 1000000)
+SPHERES = (16, 128, 1024, 8192, 65536, 1000000)  # the last is called 1e6
 SPHERES_OF_GUN = 8192  # the original tests every object for every ray
 SEEDS = 4  # clusters of each size
-LARGE = ("spheres1000000.clu",)  # written only when asked for
+LARGE = ("spheres1e6.clu",)  # written only when asked for
 FIELD: Vector = (1.8, 1.0, 1.0)  # half sizes of the block that the spheres lie in
 FIELD_WINDOW: Window = ((0.0, -4.0, 0.0), (0.0, 0.0, 0.0), (1.1, 0.0, 0.0), (0.0, 0.0, -1.1))
 FIELD_LIGHTS: dict[Vector, Vector] = {(-4.0, -6.0, 5.0): WHITE}
@@ -91,9 +91,10 @@ def field_gun(count: int) -> Iterator[str]:
 
 def fields() -> Iterator[tuple[str, Lines]]:
     for count in SPHERES:
-        yield f"spheres{count}.clu", partial(field_clu, count)
+        name = "spheres1e6" if count == 1000000 else f"spheres{count}"
+        yield f"{name}.clu", partial(field_clu, count)
         if count <= SPHERES_OF_GUN:
-            yield f"spheres{count}.gun", partial(field_gun, count)
+            yield f"{name}.gun", partial(field_gun, count)
 
 
 def depths() -> Iterator[tuple[str, Lines]]:
@@ -132,7 +133,7 @@ def main() -> None:
     parser.add_argument("patterns", nargs="*", metavar="PATTERN")
     parser.add_argument("--seeds", type=int, default=SEEDS, help=f"clusters of each size ({SEEDS})")
     parser.add_argument("--list", action="store_true", help="only print the names")
-    given = parser.parse_args()
+    given = parser.parse_intermixed_args()
     if given.list:
         print(*(name for name, _ in chosen(corpus(given.seeds), given.patterns)), sep="\n")
         return
