@@ -17,12 +17,12 @@ from pathlib import Path
 
 
 def pixels(path: Path) -> bytes:
-    """The bytes of a binary PPM after its header of three numbers."""
+    """The bytes of a binary PPM after its header of three numbers and perhaps comments."""
     data = path.read_bytes()
     at, numbers = 2, 0
     while numbers < 3:
-        while data[at : at + 1].isspace():
-            at += 1
+        while data[at : at + 1].isspace() or data[at : at + 1] == b"#":
+            at = data.index(b"\n", at) + 1 if data[at : at + 1] == b"#" else at + 1
         while not data[at : at + 1].isspace():
             at += 1
         numbers += 1

@@ -16,3 +16,7 @@ clucida_oracle_test(test_steps test_steps.cpp LIBS clucida_error)
 add_test(NAME test_bench_cli
          COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/test_bench_cli.py $<TARGET_FILE:clucida-bench>)
 set_tests_properties(test_bench_cli PROPERTIES TIMEOUT 600)
+
+add_test(NAME test_corpus COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/test_corpus.py
+         $<TARGET_FILE:clucida> ${CMAKE_SOURCE_DIR}/bench)
+set_tests_properties(test_corpus PROPERTIES TIMEOUT 300)

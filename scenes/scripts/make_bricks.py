@@ -5,6 +5,7 @@ Sizes are in units of the pitch of the studs. Usage: make_bricks.py > ../bricks.
 """
 
 from random import Random
+from typing import Iterable, Iterator, Tuple
 
 HEIGHT = 1.2  # of a brick, without studs
 STUD = 0.2
@@ -30,15 +31,15 @@ sky gradient { low [0.84, 0.83, 0.8]; middle [0.84, 0.83, 0.8]; high [0.4, 0.6, 
 """
 
 
-def number(x):
+def number(x: float) -> str:
     return f"{x:.4f}".rstrip("0").rstrip(".")
 
 
-def vector(v):
+def vector(v: Iterable[float]) -> str:
     return "[" + ", ".join(number(x) for x in v) + "]"
 
 
-def brick_text(name, nx, ny):
+def brick_text(name: str, nx: int, ny: int) -> str:
     """A brick of nx by ny studs, its lower corner at the origin."""
     studs = " |\n    ".join(
         f"cylinder([{i + 0.5}, {j + 0.5}, 0], [0, 0, 0.3])" for j in range(ny) for i in range(nx)
@@ -49,7 +50,7 @@ def brick_text(name, nx, ny):
     )
 
 
-def tiles(side, turned):
+def tiles(side: int, turned: bool) -> Iterator[Tuple[int, int, int, int]]:
     """Lays bricks of 2 x 4 into a square of an even side; what is left gets bricks of 2 x 2."""
     for row in range(0, side, 2):
         at = 0
@@ -62,7 +63,7 @@ def tiles(side, turned):
             at += length
 
 
-def main():
+def main() -> None:
     random = Random(7)
     ramp = ["violet", "blue", "sky", "green", "yellow", "orange", "red"]
     print(HEAD)
@@ -72,7 +73,7 @@ def main():
     for name, nx, ny in (("brick2x2", 2, 2), ("brick4x2", 4, 2), ("brick2x4", 2, 4)):
         print(brick_text(name, nx, ny))
 
-    def put(x, y, z, nx, ny, color, degrees=0.0):
+    def put(x: float, y: float, z: float, nx: int, ny: int, color: str, degrees: float = 0) -> None:
         solid = f"brick{nx}x{ny}"
         if degrees:
             solid = f"rotate([0, 0, 1], {number(degrees)}, {solid})"
@@ -88,7 +89,7 @@ def main():
         for layer in range((3, 4, 5, 5, 5, 5)[corner]):
             put(x, y, layer * HEIGHT, 2, 2, "clear" if layer % 3 == 2 else ramp[(corner * 2 + layer) % 7])
     print("# and a few that lie about")
-    for x, y, nx, ny, color, degrees in (
+    for left, front, nx, ny, color, degrees in (
         (-4.2, -11, 4, 2, "red", 20),
         (0.5, -10.4, 2, 2, "yellow", -35),
         (10, -3, 2, 4, "sky", 25),
@@ -97,7 +98,7 @@ def main():
         (-11.5, 3, 2, 2, "violet", 10),
         (3.2, -11.8, 4, 2, "blue", 15),
     ):
-        put(x, y, 0, nx, ny, color, degrees)
+        put(left, front, 0, nx, ny, color, degrees)
     print("\n# a table that glows, as that of a photographer of slides")
     print("object table { solid plane([0, 0, 0], [0, 0, 1]); optics table }")
 
