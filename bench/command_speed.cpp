@@ -225,12 +225,13 @@ void add_speed(CLI::App& app)
     add_scene_options(*command, *options);
     add_contender_options(*command, *options);
     add_measure_options(*command, *options);
-    command->footer("Examples:\n"
-                    "  clucida-bench speed scene.clu\n"
-                    "  clucida-bench speed scenes/*.clu -s 320x180 --threads 1,all --native\n"
-                    "  clucida-bench speed scene.clu --device pocl --device gpu --precision both --json speed.json\n"
-                    "  clucida-bench speed scene.gun --as-original --rounds 25\n"
-                    "\nThe first contender is the one that ratios are to. docs/performance.md has some of its tables.");
+    command->footer(
+        "Examples:\n"
+        "  clucida-bench speed scene.clu\n"
+        "  clucida-bench speed scenes/*.clu -s 320x180 --threads 1,all --native\n"
+        "  clucida-bench speed scene.clu --device pocl --device gpu --precision both --json speed.json\n"
+        "  clucida-bench speed scene.gun --as-original --rounds 25\n"
+        "\nThe first contender is the one that ratios are to. docs/user-guide.md says what the figures mean.");
     command->callback([options] { run(*options); });
 }
 

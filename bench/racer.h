@@ -10,7 +10,8 @@
 namespace clucida::bench {
 
 struct Racer {
-    /// Renders the picture's upper left part, or all of it. Capacities that proved too small stay enlarged.
+    /// Renders the picture's upper left part, or all of it. All that is needed is compiled then; capacities that proved
+    /// too small stay enlarged.
     std::function<host::Frame(host::Shape part)> render;
     std::string what;    ///< the device or the compiler
     std::string options; ///< that select the scene's variant of the kernels

@@ -11,22 +11,24 @@ namespace {
 
 constexpr std::size_t chunk_pixels = 1024; ///< between looks at the user's wish to stop
 
+/// Every so many pixels of a side, the first and the last half as far from its ends, or nearly.
+std::vector<unsigned> places(unsigned side, unsigned step)
+{
+    std::vector<unsigned> out;
+    for (unsigned at = std::min(step / 2, side - 1); at < side; at += step) out.push_back(at);
+    return out;
+}
+
 } // namespace
 
 std::vector<std::size_t> grid_pixels(host::Shape picture, std::size_t most)
 {
-    const auto along = [](unsigned side, unsigned step) { return (side - step / 2 + step - 1) / step; };
     unsigned step = 1;
-    const unsigned longest = std::max(picture.width, picture.height);
-    const auto fits = [&] {
-        if (step / 2 >= std::min(picture.width, picture.height)) return true; // one row or column, of a thin picture
-        return std::size_t{along(picture.width, step)} * along(picture.height, step) <= most;
-    };
-    while (step < longest && !fits()) ++step;
+    while (places(picture.width, step).size() * places(picture.height, step).size() > std::max<std::size_t>(most, 1))
+        ++step;
     std::vector<std::size_t> out;
-    for (unsigned y = std::min(step / 2, picture.height - 1); y < picture.height; y += step)
-        for (unsigned x = std::min(step / 2, picture.width - 1); x < picture.width; x += step)
-            if (out.size() < most) out.push_back(std::size_t{y} * picture.width + x);
+    for (const unsigned y : places(picture.height, step))
+        for (const unsigned x : places(picture.width, step)) out.push_back(std::size_t{y} * picture.width + x);
     return out;
 }
 
