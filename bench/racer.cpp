@@ -20,7 +20,7 @@ Racer opencl_racer(const SpeedTask& task, scene::Compiled compiled)
     const host::DeviceInfo& device = renderer->device.info;
     Racer out;
     out.what = host::describe(device);
-    out.options = host::variant_options(compiled.needs, task.contender.precision, device);
+    out.options = scene::build_options(compiled.needs);
     out.threads = device.kind == host::DeviceKind::cpu ? device.compute_units : 0;
     host::RenderSettings settings;
     settings.samples = task.samples;

@@ -58,7 +58,7 @@ std::string error_words(ErrorFrom from)
     return from == ErrorFrom::oracle ? "the oracle's" : "that of the kernel in double";
 }
 
-/// The features and capacities only.
+/// "-DCLU_PLANE -DCLU_STACK_CAPACITY=8" without what all have in common.
 std::string variant_of(const std::string& options)
 {
     std::string out;
