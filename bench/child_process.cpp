@@ -38,13 +38,14 @@ std::vector<std::string> merged(const Environment& changes)
         const std::string text = *entry;
         if (!changes.contains(text.substr(0, text.find('=')))) out.push_back(text);
     }
-    for (const auto& [name, value] : changes) out.push_back(name + "=" + value);
+    for (const auto& [name, value] : changes) out.push_back(fmt::format("{}={}", name, value));
     return out;
 }
 
 std::vector<char*> pointers(std::vector<std::string>& texts)
 {
     std::vector<char*> out;
+    out.reserve(texts.size() + 1);
     for (std::string& text : texts) out.push_back(text.data());
     out.push_back(nullptr);
     return out;

@@ -43,12 +43,13 @@ void trace_natively(const NativeLibrary& library, const scene::Compiled& compile
     for (std::size_t i = 0; i < BUFFER_COUNT; ++i)
         scene.buffers[i] = compiled.buffers.bytes[i].empty() ? nullptr : compiled.buffers.bytes[i].data();
     const unsigned width = frame.picture.width, height = frame.picture.height;
-    std::vector<float> sums(std::size_t{4} * width * height);
+    const std::size_t row_floats = std::size_t{4} * width;
+    std::vector<float> sums(row_floats * height);
     std::vector<host::Statistics> counted(threads);
     share_work(height, threads, [&](std::size_t row, unsigned worker) {
         if (host::interrupted()) return;
         std::array<std::uint32_t, STAT_COUNT> counters{};
-        library.render(&scene, 0, static_cast<unsigned>(row), width, 1, 0, samples, sums.data() + 4 * width * row,
+        library.render(&scene, 0, static_cast<unsigned>(row), width, 1, 0, samples, sums.data() + row_floats * row,
                        counters.data());
         host::add_rows(counted[worker], counters);
     });

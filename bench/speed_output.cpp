@@ -152,7 +152,7 @@ void print_speed_note(std::FILE* to, std::span<const SceneSpeed> results, const 
     fmt::print(to, "\n{}x{}, {} sample{} a pixel. ", task.picture.width, task.picture.height, task.samples,
                task.samples == 1 ? "" : "s");
     fmt::print(to,
-               "Time is that of tracing the whole picture in one launch and having it back, without compilation and "
+               "Time is that of tracing the whole picture as one tile and having it back, without compilation and "
                "without the scene's way to the device; CPU is what all threads of the process computed meanwhile.\n"
                "Medians of {} rounds after one to warm up, IQR their interquartile range. In a round the contenders "
                "take turns, each in a process of its own, and render for {:.0f} ms at least; ratios are to the scene's "
