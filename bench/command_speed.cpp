@@ -129,6 +129,7 @@ void run(const SpeedOptions& o)
     const SpeedSettings settings = settings_of(o);
     if (!o.json.empty() && o.json != "-") host::require_writable(o.json);
     std::FILE* const to = o.json == "-" ? stderr : stdout;
+    const Load load = machine_load();
     std::vector<SceneSpeed> results;
     for (const std::string& file : o.scenes) {
         {
@@ -141,10 +142,10 @@ void run(const SpeedOptions& o)
         print_speed(to, results.back());
         std::fflush(to);
     }
-    print_speed_note(to, results, settings);
+    print_speed_note(to, results, settings, load);
     if (o.json.empty()) return;
     const std::string text =
-        speed_json(results, settings).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+        speed_json(results, settings, load).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
     if (o.json == "-")
         fmt::print("{}", text);
     else

@@ -10,12 +10,13 @@
 #include <stdlib.h>
 
 #include <algorithm>
-#include <array>
 #include <ctime>
 #include <thread>
 
 namespace clucida::bench {
 namespace {
+
+constexpr double quiet_share = 0.95; ///< of a processor; with less, others computed at the same time
 
 /// Shadow rays too, as `clucida render` counts them.
 std::uint64_t rays(const SpeedReport& r)
@@ -121,7 +122,24 @@ nlohmann::ordered_json report_json(const SceneSpeed& of, const SpeedReport& r, c
     return j;
 }
 
+/// The least share of a processor that a contender of one thread had while it traced; 1 if there is none.
+double least_share(std::span<const SceneSpeed> results)
+{
+    double out = 1;
+    for (const SceneSpeed& scene : results)
+        for (const SpeedReport& r : scene.reports)
+            if (r.threads == 1) out = std::min(out, median(r.cpu) / median(r.real));
+    return out;
+}
+
 } // namespace
+
+Load machine_load()
+{
+    Load out{};
+    ::getloadavg(out.data(), static_cast<int>(out.size()));
+    return out;
+}
 
 void print_speed_head(std::FILE* to)
 {
@@ -146,7 +164,8 @@ void print_speed(std::FILE* to, const SceneSpeed& speed)
     }
 }
 
-void print_speed_note(std::FILE* to, std::span<const SceneSpeed> results, const SpeedSettings& settings)
+void print_speed_note(std::FILE* to, std::span<const SceneSpeed> results, const SpeedSettings& settings,
+                      const Load& load)
 {
     const SpeedTask& task = settings.task;
     fmt::print(to, "\n{}x{}, {} sample{} a pixel. ", task.picture.width, task.picture.height, task.samples,
@@ -164,6 +183,13 @@ void print_speed_note(std::FILE* to, std::span<const SceneSpeed> results, const 
     if (settings.error != ErrorFrom::none && !results.empty())
         fmt::print(to, "RMSE and largest error: linear light, against {}, over {} pixels on a regular grid.\n",
                    error_words(settings.error), results.front().compared_pixels);
+    fmt::print(to, "{} processors, with a load of {:.1f} before the start.\n", std::thread::hardware_concurrency(),
+               load.front());
+    if (const double share = least_share(results); share < quiet_share)
+        fmt::print(to,
+                   "Not a quiet machine: a contender of one thread had {:.0f} % of a processor. Go by the CPU's times "
+                   "and ratios.\n",
+                   100 * share);
     std::vector<std::string> told;
     for (const SceneSpeed& scene : results)
         for (const SpeedReport& r : scene.reports) {
@@ -175,10 +201,8 @@ void print_speed_note(std::FILE* to, std::span<const SceneSpeed> results, const 
     for (const std::string& what : told) fmt::print(to, "- {}\n", what);
 }
 
-nlohmann::ordered_json speed_json(std::span<const SceneSpeed> results, const SpeedSettings& settings)
+nlohmann::ordered_json speed_json(std::span<const SceneSpeed> results, const SpeedSettings& settings, const Load& load)
 {
-    std::array<double, 3> load{};
-    ::getloadavg(load.data(), static_cast<int>(load.size()));
     nlohmann::ordered_json out = {{"context",
                                    {{"date", fmt::format("{:%FT%T}Z", fmt::gmtime(std::time(nullptr)))},
                                     {"executable", "clucida-bench"},

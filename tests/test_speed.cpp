@@ -24,7 +24,8 @@ TEST(GridPixels, are_no_more_than_asked_for_and_reach_over_the_whole_picture)
             EXPECT_GE(4 * pixels.size() + 4, std::min(most, host::area(picture))); // a step's rounding loses some
             EXPECT_EQ(std::set(pixels.begin(), pixels.end()).size(), pixels.size());
             EXPECT_LT(pixels.back(), host::area(picture));
-            if (most >= 100) EXPECT_GE(pixels.back() + 1, host::area(picture) * 3 / 4);
+            if (most < 100) continue;
+            EXPECT_GE(pixels.back() + 1, host::area(picture) * 3 / 4);
         }
 }
 
