@@ -74,6 +74,8 @@ def main():
     options = parser.parse_args()
     if not re.fullmatch(r"[1-9]\d*x[1-9]\d*", options.size):
         parser.error("the size is wrong: expected WxH, such as 64x36")
+    if not shutil.which(options.program):
+        parser.error("there is no program " + options.program)
     if not shutil.which("valgrind"):
         sys.exit("instruction_counts.py: there is no valgrind here (apt install valgrind)")
     print("| scene | instructions a ray | a pixel | rays a pixel | objects tested a ray |\n|---|---:|---:|---:|---:|")
