@@ -6,5 +6,7 @@
 namespace clucida::bench {
 
 void add_error(CLI::App& app);
+void add_speed(CLI::App& app);
+void add_speed_worker(CLI::App& app);
 
 } // namespace clucida::bench

@@ -9,9 +9,12 @@ int main(int argc, char** argv)
     CLI::App app("How far from right, how fast: figures for clucida.", "clucida-bench");
     app.set_version_flag("--version", "clucida-bench " CLUCIDA_VERSION);
     app.require_subcommand(1);
-    app.footer("Example:\n"
+    app.footer("Examples:\n"
                "  clucida-bench error scene.clu -s 320x180 -o where.png\n"
+               "  clucida-bench speed scene.clu --threads 1,all --native\n"
                "\nclucida-bench COMMAND --help tells more.");
     bench::add_error(app);
+    bench::add_speed(app);
+    bench::add_speed_worker(app);
     return host::run_guarded(app, argc, argv);
 }

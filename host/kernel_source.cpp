@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <set>
 #include <stdexcept>
-#include <vector>
 
 extern const char* const clucida_kernels_table[]; // made by kernels/embed.cmake
 
@@ -118,6 +117,13 @@ std::optional<std::string_view> embedded_kernel(const std::string& path)
     for (const char* const* entry = clucida_kernels_table; *entry; entry += 2)
         if (path == entry[0]) return entry[1];
     return std::nullopt;
+}
+
+std::vector<std::string> embedded_kernel_paths()
+{
+    std::vector<std::string> out;
+    for (const char* const* entry = clucida_kernels_table; *entry; entry += 2) out.emplace_back(entry[0]);
+    return out;
 }
 
 std::string resolve_includes(const std::string& entry, const FileTexts& files)

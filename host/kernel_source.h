@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace clucida::host {
 
@@ -13,6 +14,9 @@ using FileTexts = std::function<std::optional<std::string_view>(const std::strin
 
 /// The text of an embedded file.
 std::optional<std::string_view> embedded_kernel(const std::string& path);
+
+/// The paths of all embedded files.
+std::vector<std::string> embedded_kernel_paths();
 
 /// One text out of `entry` and whatever it includes, each file once, with #line directives, so that build logs name
 /// the true file and line. Left as they are: includes in angle brackets, includes that name no known file, and

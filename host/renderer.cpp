@@ -69,6 +69,7 @@ void render_once(Renderer& renderer, const DeviceBuffers& buffers, const RenderS
     if (hooks.cancelled && hooks.cancelled()) throw Interrupted();
 
     const Stopwatch trace;
+    const CpuStopwatch trace_cpu;
     frame.tile = tile_of(tracer, settings);
     const std::size_t tile_bytes = area(frame.tile) * 4 * sizeof(float);
     const std::uint64_t allowed = renderer.device.info.max_allocation_bytes;
@@ -79,19 +80,7 @@ void render_once(Renderer& renderer, const DeviceBuffers& buffers, const RenderS
     frame.statistics = {};
     trace_tiles(tracer, {settings.picture, frame.tile}, settings, hooks, frame);
     frame.timings.trace += trace.seconds();
-}
-
-/// Enlarges what the frame overflowed. False if nothing did, or nothing can be done.
-bool enlarge(scene::Needs& needs, const Statistics& statistics)
-{
-    const auto twice = [](unsigned& capacity) {
-        if (capacity >= most_capacity) return false;
-        capacity = std::min(std::max(capacity, 1u) * 2, most_capacity);
-        return true;
-    };
-    const bool interior = statistics.interior_overflow && twice(needs.interior);
-    const bool stack = statistics.stack_overflow && twice(needs.stack);
-    return interior || stack;
+    frame.timings.trace_cpu += trace_cpu.seconds();
 }
 
 } // namespace
@@ -127,6 +116,18 @@ DeviceBuffers upload(const Renderer& renderer, const scene::Buffers& buffers)
     }
     renderer.queue.finish();
     return out;
+}
+
+bool enlarge(scene::Needs& needs, const Statistics& statistics)
+{
+    const auto twice = [](unsigned& capacity) {
+        if (capacity >= most_capacity) return false;
+        capacity = std::min(std::max(capacity, 1u) * 2, most_capacity);
+        return true;
+    };
+    const bool interior = statistics.interior_overflow && twice(needs.interior);
+    const bool stack = statistics.stack_overflow && twice(needs.stack);
+    return interior || stack;
 }
 
 Frame render_frame(Renderer& renderer, const scene::Compiled& compiled, const RenderSettings& settings,

@@ -32,6 +32,7 @@ struct Timings {
     double first_enqueue = 0; ///< an empty launch: code generation where the implementation puts it off until then, s
     double upload = 0;        ///< the scene to the device, s
     double trace = 0;         ///< all launches and their results' way back, s
+    double trace_cpu = 0;     ///< the time that this process's threads computed meanwhile, s
 };
 
 struct Frame {
@@ -75,6 +76,9 @@ DeviceBuffers upload(const Renderer& renderer, const scene::Buffers& buffers);
 /// not left to the implementation. PoCL keeps what all items of a group hold on one stack, which a group of thousands
 /// overflows. @throws cl::Error
 void enqueue_each(const Renderer& renderer, const cl::Kernel& kernel, std::size_t count);
+
+/// Doubles the capacities that a frame overflowed. False if it overflowed none, or none can be more.
+bool enlarge(scene::Needs& needs, const Statistics& statistics);
 
 /// Renders one frame; the picture is the same to the byte whatever the tiles. A capacity that proves too small is
 /// doubled, up to 512, and the frame rendered again.

@@ -1,4 +1,6 @@
-/* The kernels' C core as C11, with every feature; compiled once for float and once for double (CLU_DOUBLE). */
+/* The kernels' C core as C11, in float or in double (CLU_DOUBLE). Compiled with every feature it is what unit tests
+ * call; a benchmark compiles it with a scene's own features, and with CLU_ONLY_RENDER: what is called from one place
+ * only the compiler inlines there, as it does in the OpenCL kernel. */
 #include "kernels/native_api.h"
 
 #include "kernels/observer.h"
@@ -37,6 +39,7 @@ static void add_stats(const World* world, u32* stats)
     for (u32 k = 0; k < STAT_COUNT; k++) stats[k] += world->stats[k];
 }
 
+#ifndef CLU_ONLY_RENDER
 static vec from_doubles(const double* v)
 {
     return make_vec((real)v[0], (real)v[1], (real)v[2]);
@@ -60,6 +63,7 @@ static Ray make_ray(const NativeRay* r)
     ray.err = (real)r->err;
     return ray;
 }
+#endif
 
 void NATIVE(native_render)(const NativeScene* scene, u32 x0, u32 y0, u32 width, u32 height, u32 sample_begin,
                            u32 sample_end, float* rgba, u32* stats)
@@ -80,6 +84,7 @@ void NATIVE(native_render)(const NativeScene* scene, u32 x0, u32 y0, u32 width, 
     add_stats(&world, stats);
 }
 
+#ifndef CLU_ONLY_RENDER
 int NATIVE(native_surface)(const NativeScene* scene, const NativeRay* ray, const u32* inside, u32 count,
                            NativeSurface* surface, u32* stats)
 {
@@ -118,6 +123,7 @@ void NATIVE(native_trace)(const NativeScene* scene, const NativeRay* ray, double
     add_stats(&world, stats);
 }
 
+#ifdef CLU_TRANSPARENT
 int NATIVE(native_refract)(const double d[3], const double n[3], double w, double out[3], double* reflectance)
 {
     const vec direction = from_doubles(d), normal = from_doubles(n);
@@ -125,9 +131,14 @@ int NATIVE(native_refract)(const double d[3], const double n[3], double w, doubl
     const real det = refraction_det((real)w, cosine);
     if (!(det >= R(0))) return 0;
     to_doubles(refracted(direction, normal, (real)w, cosine, det), out);
+#ifdef CLU_FRESNEL
     *reflectance = fresnel_reflectance((real)w, cosine, det);
+#else
+    *reflectance = 0;
+#endif
     return 1;
 }
+#endif
 
 void NATIVE(native_reflect)(const double d[3], const double n[3], double out[3])
 {
@@ -135,10 +146,12 @@ void NATIVE(native_reflect)(const double d[3], const double n[3], double out[3])
     to_doubles(reflected(direction, normal, -dot3(direction, normal)), out);
 }
 
+#ifdef CLU_LIGHTS
 double NATIVE(native_diffuse)(u32 law, double cosine, double distance)
 {
     return diffuse(law, (real)cosine, (real)distance);
 }
+#endif
 
 void NATIVE(native_unpack_filter)(u32 packed, double out[3])
 {
@@ -147,3 +160,4 @@ void NATIVE(native_unpack_filter)(u32 packed, double out[3])
     out[1] = c.g;
     out[2] = c.b;
 }
+#endif

@@ -1,6 +1,6 @@
-/* The C core built natively, as unit tests, sanitizers and the native baseline call it: every feature in, in float
- * (suffix f) and in double (suffix d). Points and directions are doubles that the core takes as its own type;
- * points are relative to the eye, as the buffers are. */
+/* The C core built natively, as unit tests, sanitizers and the native baseline call it, in float (suffix f) and in
+ * double (suffix d). With every feature in it has all of these functions; with fewer, those that make sense. Points and
+ * directions are doubles that the core takes as its own type; points are relative to the eye, as the buffers are. */
 #ifndef CLUCIDA_NATIVE_API_H
 #define CLUCIDA_NATIVE_API_H
 

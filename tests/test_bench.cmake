@@ -11,6 +11,7 @@ clucida_oracle_test(test_oracle_paths test_oracle_paths.cpp LIBS clucida_oracle 
 clucida_oracle_test(test_oracle_kernels test_oracle_kernels.cpp LIBS clucida_oracle native_scene)
 clucida_test(test_divergence test_divergence.cpp LIBS clucida_error)
 clucida_test(test_measure_error test_measure_error.cpp LIBS clucida_error)
+clucida_test(test_speed test_speed.cpp LIBS clucida_speed)
 clucida_oracle_test(test_steps test_steps.cpp LIBS clucida_error)
 
 add_test(NAME test_bench_cli

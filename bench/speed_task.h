@@ -1,0 +1,44 @@
+/// What is raced: a scene's picture by a contender. Told to the contender's process as JSON.
+#pragma once
+
+#include "bench/native_library.h"
+#include "host/scene_source.h"
+#include "host/tiling.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <optional>
+#include <string>
+
+namespace clucida::bench {
+
+struct SpeedContender {
+    std::string device; ///< P:D; empty: the native build
+    host::Precision precision = host::Precision::single;
+    unsigned threads = 0; ///< 0: as many as there are
+};
+
+inline bool is_native(const SpeedContender& c)
+{
+    return c.device.empty();
+}
+
+struct SpeedTask {
+    host::SceneOptions scene;
+    host::Shape picture{640, 360};
+    unsigned samples = 1;
+    std::optional<unsigned> max_hops; ///< else the scene's
+    std::optional<double> cutoff;
+    SpeedContender contender;
+    NativeBuild native;                           ///< of a native contender
+    unsigned least_interior = 0, least_stack = 0; ///< capacities to begin with, where the scene's are less
+};
+
+scene::View view_of(const SpeedTask& task);
+
+nlohmann::ordered_json to_json(const SpeedTask& task);
+
+/// What the JSON lacks is as in an empty task. @throws nlohmann::json::exception
+SpeedTask task_of(const nlohmann::json& j);
+
+} // namespace clucida::bench

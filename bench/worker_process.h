@@ -1,0 +1,39 @@
+/// A process of this program that answers questions: a line of JSON each, over pipes.
+#pragma once
+
+#include "bench/child_process.h"
+
+#include <nlohmann/json.hpp>
+
+namespace clucida::bench {
+
+/// Ends with the object, at the latest after a moment of grace.
+class WorkerProcess {
+public:
+    /// Starts this very program with the subcommand. name is for errors. @throws host::Failure
+    WorkerProcess(std::string name, const std::string& subcommand, const Environment& environment);
+    ~WorkerProcess();
+    WorkerProcess(const WorkerProcess&) = delete;
+    WorkerProcess& operator=(const WorkerProcess&) = delete;
+
+    /// Waits for the answer.
+    /// @throws what the worker says went wrong (host::Failure, host::UsageError, host::Interrupted), host::Failure if
+    /// it died, host::Interrupted
+    nlohmann::json ask(const nlohmann::json& request);
+
+private:
+    std::string read_line();
+    int stop();
+    [[noreturn]] void tell_death();
+
+    std::string name_, received_;
+    pid_t process_ = -1;
+    int to_ = -1, from_ = -1;
+};
+
+/// The worker's side: answers each line of standard input by a line on standard output until the input ends. What
+/// answer throws becomes an answer too. Whatever else writes to standard output goes to standard error.
+/// @throws host::Failure
+void serve(const std::function<nlohmann::json(const nlohmann::json& request)>& answer);
+
+} // namespace clucida::bench
