@@ -27,11 +27,11 @@ static CALLED int is_hidden_in_full(World* world, const Ray* ray, real distance)
 /* Whether any solid's boundary lies between the ray's start, which no object holds, and the light at that distance. */
 INLINED int is_hidden(World* world, const Ray* ray, real distance)
 {
-    int sure = 1;
+    int sure = QUICK;
     Walk walk;
     COUNT(world, STAT_SHADOW);
     walk_begin(&walk, ray);
-    for (;;) {
+    while (QUICK) {
         const u32 id = walk_next(&walk, world, R(0), distance);
         if (id == WALK_DONE) break;
         QuickCrossing c;

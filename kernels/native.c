@@ -5,7 +5,9 @@
 
 #include "kernels/observer.h"
 
-#ifdef CLU_DOUBLE
+#ifdef CLU_FULL_SEARCH
+#define NATIVE(name) name##_full
+#elif defined(CLU_DOUBLE)
 #define NATIVE(name) name##_d
 #else
 #define NATIVE(name) name##_f

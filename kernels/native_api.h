@@ -37,6 +37,9 @@ void native_render_f(const NativeScene* scene, u32 x0, u32 y0, u32 width, u32 he
                      float* rgba, u32* stats);
 void native_render_d(const NativeScene* scene, u32 x0, u32 y0, u32 width, u32 height, u32 sample_begin, u32 sample_end,
                      float* rgba, u32* stats);
+/* Likewise in float, by the full search alone. */
+void native_render_full(const NativeScene* scene, u32 x0, u32 y0, u32 width, u32 height, u32 sample_begin,
+                        u32 sample_end, float* rgba, u32* stats);
 
 /* The next surface of a ray whose origin lies in the given objects (ascending ids). Returns 1, or 0 if there is none.
  * stats: STAT_COUNT counters that are added to. */

@@ -7,6 +7,13 @@
 #include "kernels/solids/quick.h"
 #include "kernels/tree.h"
 
+/* Tests switch it off, for the pictures must stay the same. */
+#ifdef CLU_FULL_SEARCH
+#define QUICK 0
+#else
+#define QUICK 1
+#endif
+
 /* A crossing at ray parameter t, right to within tolerance; or, if not sure, t is where doubt begins. */
 typedef struct {
     real t, tolerance;
@@ -269,7 +276,8 @@ INLINED QuickCrossing quick_nearest(World* world, const Ray* ray, u32 medium)
     QuickCrossing best;
     best.t = INFINITE;
     best.tolerance = R(0);
-    best.sure = 1;
+    best.sure = QUICK;
+    if (!QUICK) best.t = R(0);
     if (medium != VACUUM) quick_try(world, medium, ray, 1, &best);
     Walk walk;
     walk_begin(&walk, ray);
@@ -287,7 +295,7 @@ INLINED int quick_medium(World* world, const Ray* ray, real t, u32 above, u32* m
     Walk walk;
     walk_begin(&walk, ray);
     *medium = VACUUM;
-    for (;;) {
+    while (QUICK) {
         const u32 id = walk_next(&walk, world, t, t);
         if (id == WALK_DONE) return 1;
         if (id >= *medium || (above != VACUUM && id <= above)) continue;
@@ -296,6 +304,7 @@ INLINED int quick_medium(World* world, const Ray* ray, real t, u32 above, u32* m
         if (holds < 0) return 0;
         if (holds) *medium = id;
     }
+    return 0;
 }
 
 /* The end of the solid that the full search would have found there. */

@@ -119,6 +119,22 @@ TEST(CompileSolids, TheNormalFormHoldsThePointsThatTheTreeHolds)
     EXPECT_GT(held, 50000U);
 }
 
+TEST(CompileSolids, AUnionCutByAConvexSolidIsAFlatUnion)
+{
+    const SolidPtr cut =
+        both({solid(scene::Union{{sphere({1, 0, 0}, 1), sphere({-1, 0, 0}, 1)}}), cuboid({0, 0, 0}, {2, 2, 2})});
+    for (const bool turned : {false, true}) {
+        const scene::Form form = scene::normal_form(*(turned ? complement(cut) : cut));
+        EXPECT_EQ(form.kind, turned ? scene::Form::Kind::all : scene::Form::Kind::any);
+        ASSERT_EQ(form.parts.size(), 2U);
+        for (const scene::Form& part : form.parts) {
+            EXPECT_EQ(part.kind, scene::Form::Kind::group);
+            EXPECT_EQ(part.group.inverse, turned);
+            EXPECT_EQ(part.group.members.size(), 7U);
+        }
+    }
+}
+
 TEST(CompileSolids, ToriAndFreeQuadricsHoldThePointsOfTheirFormulas)
 {
     Random random(6);
