@@ -121,8 +121,8 @@ TEST(CompileSolids, TheNormalFormHoldsThePointsThatTheTreeHolds)
 
 TEST(CompileSolids, AUnionCutByAConvexSolidIsAFlatUnion)
 {
-    const SolidPtr cut =
-        both({solid(scene::Union{{sphere({1, 0, 0}, 1), sphere({-1, 0, 0}, 1)}}), cuboid({0, 0, 0}, {2, 2, 2})});
+    const SolidPtr cut = solid(scene::Intersection{
+        {solid(scene::Union{{sphere({1, 0, 0}, 1), sphere({-1, 0, 0}, 1)}}), cuboid({0, 0, 0}, {2, 2, 2})}});
     for (const bool turned : {false, true}) {
         const scene::Form form = scene::normal_form(*(turned ? complement(cut) : cut));
         EXPECT_EQ(form.kind, turned ? scene::Form::Kind::all : scene::Form::Kind::any);
