@@ -53,7 +53,7 @@ typedef struct {
     float h;
 } LayoutPlane;
 
-/* Eight planes of one group side by side; where there are fewer, the last lanes hold all of space (n 0, h 1). */
+/* Eight planes of one group side by side; where there are fewer, the last lanes hold all of space (n 0, h 1e30). */
 #define PLANE_BLOCK 8u
 typedef struct {
     float n[3][PLANE_BLOCK];

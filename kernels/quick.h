@@ -118,7 +118,11 @@ INLINED QuickSpan quick_group(const World* world, __global const LayoutGroup* gr
 {
     QuickSpan s =
         group->count == 1 ? quick_member(world, world->members[group->begin], line) : quick_members(world, group, line);
-    if (fabs(s.hi - s.lo) < line->tolerance) s.marks |= QUICK_VAGUE;
+    if (fabs(s.hi - s.lo) < line->tolerance) {
+        s.lo -= line->tolerance;
+        s.hi += line->tolerance;
+        s.marks |= QUICK_VAGUE;
+    }
     if (group->inverse) {
         s = quick_complement(s);
         s.face_lo ^= MEMBER_INVERSE;
@@ -156,7 +160,8 @@ INLINED int quick_entry(const QuickSolid* solid, real from, real tolerance, Quic
 {
     const QuickSpan* whole = &solid->whole;
     if (whole->hi < from - tolerance || (whole->marks & QUICK_LEFT_HI && whole->hi == from)) return 0;
-    if (whole->marks & QUICK_VAGUE || whole->hi < from + tolerance) return quick_unsure(c, larger(whole->lo, from));
+    if (whole->marks & QUICK_VAGUE || whole->hi < larger(whole->lo, from) + tolerance)
+        return quick_unsure(c, larger(smaller(whole->lo, whole->hi) - tolerance, from));
     quick_end(c, whole->lo, whole->face_lo, 0);
     /* Within the whole the ray must begin in a gap. */
     int in_gap = whole->lo > from + tolerance;
@@ -196,7 +201,7 @@ INLINED int quick_exit(const QuickSolid* solid, real from, real tolerance, Quick
         if (g->marks & QUICK_VAGUE) {
             second = smaller(second, g->lo);
         } else if (g->lo < c->t) {
-            second = c->t;
+            second = smaller(second, c->t);
             quick_end(c, g->lo, g->face_lo, 0);
         } else {
             second = smaller(second, g->lo);
@@ -228,7 +233,8 @@ INLINED int quick_crossing(const World* world, u32 id, const Ray* ray, int insid
             return quick_unsure(c, R(0));
         else
             solid.gaps[solid.gap_count++] = s;
-        if (inside == any && !(solid.whole.lo < solid.whole.hi && solid.whole.hi > line.start - line.tolerance))
+        if (inside == any &&
+            (solid.whole.lo > solid.whole.hi + line.tolerance || solid.whole.hi < line.start - line.tolerance))
             return 0;
     }
     const int met = inside != any ? quick_exit(&solid, line.start, line.tolerance, c)

@@ -152,17 +152,26 @@ Box revolution_bound(const Quadric& q, const Planes& planes)
     return around(middle, {half(r.axis.x), half(r.axis.y), half(r.axis.z)});
 }
 
-/// The part of a paraboloid that a cylinder along its axis cuts out.
-Box dish_bound(const Quadric& dish, const Quadric& tube)
+bool same_axis(Vec3 a, Vec3 b)
 {
-    const Quadric::Revolution &r = *dish.revolution, &t = *tube.revolution;
-    if (!(r.focus > 0) || t.focus > 0 || t.slope > 0 || length(cross(r.axis, t.axis)) > 1e-12) return {};
-    const double radius = length(cross(tube.c - dish.c, r.axis)) + t.r0;
-    const double height = radius * radius / (4 * r.focus);
-    const auto half = [&](double a) {
-        return std::fabs(a) * height / 2 + radius * std::sqrt(std::max(0.0, 1 - a * a));
-    };
-    return around(dish.c + r.axis * (height / 2), {half(r.axis.x), half(r.axis.y), half(r.axis.z)});
+    return length(cross(a, b)) <= 1e-12;
+}
+
+/// A paraboloid less another, that opens the same way, within a cylinder; the axes of all three are parallel. Outside
+/// of the other z is at most r^2 / (4 focus).
+Box dish_bound(const Quadric& dish, const Quadric& hole, const Quadric& tube)
+{
+    const Quadric::Revolution &r = *dish.revolution, &h = *hole.revolution, &t = *tube.revolution;
+    const bool is_tube = t.focus == 0 && t.slope == 0;
+    if (!(r.focus > 0) || !(h.focus > 0) || !is_tube || !same_axis(r.axis, t.axis) || !same_axis(r.axis, h.axis) ||
+        dot(r.axis, h.axis) < 0)
+        return {};
+    const double from_hole = length(cross(tube.c - hole.c, r.axis)) + t.r0;
+    const double height = dot(hole.c - dish.c, r.axis) + from_hole * from_hole / (4 * h.focus);
+    if (height < 0) return around({}, {-1, -1, -1});
+    const Vec3 middle = tube.c + r.axis * (dot(dish.c - tube.c, r.axis) + height / 2);
+    const auto half = [&](double a) { return std::fabs(a) * height / 2 + t.r0 * std::sqrt(std::max(0.0, 1 - a * a)); };
+    return around(middle, {half(r.axis.x), half(r.axis.y), half(r.axis.z)});
 }
 
 Bound ellipsoid_bound(const Quadric& q)
@@ -186,20 +195,27 @@ void cut(Bound& bound, const Bound& by)
     bound.sphere = smaller(bound.sphere, by.sphere);
 }
 
-/// Of an intersection of groups: what each member allows, quadrics cut by all the planes.
-Bound intersection_bound(const std::vector<const Group*>& groups)
+std::vector<const Quadric*> solids_of_revolution(const std::vector<const Group*>& groups)
+{
+    std::vector<const Quadric*> found;
+    for (const Group* group : groups)
+        for (const Member& member : group->members)
+            if (const auto* q = std::get_if<Quadric>(&member); q && q->revolution) found.push_back(q);
+    return found;
+}
+
+/// Of an intersection of groups, less others: what each member allows, quadrics cut by all the planes.
+Bound intersection_bound(const std::vector<const Group*>& groups, const std::vector<const Group*>& holes)
 {
     Planes planes;
     for (const Group* group : groups)
         for (const Member& member : group->members)
             if (const auto* plane = std::get_if<HalfSpace>(&member)) planes.push_back(*plane);
-    std::vector<const Quadric*> revolved;
-    for (const Group* group : groups)
-        for (const Member& member : group->members)
-            if (const auto* q = std::get_if<Quadric>(&member); q && q->revolution) revolved.push_back(q);
+    const std::vector<const Quadric*> revolved = solids_of_revolution(groups);
     Bound bound = polyhedron_bound(planes);
-    for (const Quadric* dish : revolved)
-        for (const Quadric* tube : revolved) cut(bound, {dish_bound(*dish, *tube), {}});
+    for (const Quadric* hole : solids_of_revolution(holes))
+        for (const Quadric* dish : revolved)
+            for (const Quadric* tube : revolved) cut(bound, {dish_bound(*dish, *hole, *tube), {}});
     for (const Group* group : groups) {
         for (const Member& member : group->members) {
             if (const auto* ball = std::get_if<Ball>(&member)) {
@@ -228,19 +244,22 @@ Bound bound_of(const Form& form)
         }
         return bound;
     }
-    std::vector<const Group*> groups;
+    std::vector<const Group*> groups, holes;
     Bound bound;
-    if (form.kind == Form::Kind::group) {
-        if (!form.group.inverse) groups.push_back(&form.group);
-    } else {
-        for (const Form& part : form.parts) {
-            if (part.kind != Form::Kind::group)
-                cut(bound, bound_of(part));
-            else if (!part.group.inverse)
-                groups.push_back(&part.group);
-        }
+    const auto add = [&](const Group& group) {
+        if (!group.inverse)
+            groups.push_back(&group);
+        else if (group.members.size() == 1)
+            holes.push_back(&group);
+    };
+    if (form.kind == Form::Kind::group) add(form.group);
+    for (const Form& part : form.parts) {
+        if (part.kind == Form::Kind::group)
+            add(part.group);
+        else
+            cut(bound, bound_of(part));
     }
-    cut(bound, intersection_bound(groups));
+    cut(bound, intersection_bound(groups, holes));
     return bound;
 }
 

@@ -159,7 +159,7 @@ private:
     {
         LayoutPlaneBlock block{};
         for (std::size_t lane = 0; lane < PLANE_BLOCK; lane++) {
-            block.h[lane] = 1;
+            block.h[lane] = 1e30F; // n stays 0: all of space
             block.plane[lane] = PLANE_NONE;
             if (lane >= members.size()) continue;
             const u32 index = members[lane] >> MEMBER_SHIFT;

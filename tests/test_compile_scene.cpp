@@ -196,7 +196,7 @@ TEST(CompileScene, TheMemoryReportAddsUp)
     std::size_t reported = 0, stored = 0;
     for (const ObjectReport& object : compiled.objects) reported += object.bytes;
     for (const auto buffer : {BUFFER_OBJECTS, BUFFER_GROUPS, BUFFER_MEMBERS, BUFFER_PROGRAMS, BUFFER_PLANES,
-                              BUFFER_SPHERES, BUFFER_QUADRICS})
+                              BUFFER_BLOCKS, BUFFER_SPHERES, BUFFER_QUADRICS})
         stored += compiled.buffers.bytes[buffer].size();
     EXPECT_EQ(reported, stored);
 }

@@ -212,7 +212,7 @@ TEST(CompileSolids, BoundsHoldTheirSolids)
     unsigned bounded = 0, held = 0;
     for (int i = 0; i < 3000; i++) {
         const Tree tree = random_tree(random, 1 + i % 4);
-        const scene::BoundingSphere bound = scene::bounds_of(scene::normal_form(*tree.solid)).sphere;
+        const auto [bound, box] = scene::bounds_of(scene::normal_form(*tree.solid));
         if (!(bound.radius < scene::unbounded)) continue;
         bounded++;
         for (int k = 0; k < 300; k++) {
@@ -220,6 +220,10 @@ TEST(CompileSolids, BoundsHoldTheirSolids)
             if (!tree.holds(p)) continue;
             held++;
             ASSERT_LE(length(p - bound.center), bound.radius * (1 + 1e-9)) << "tree " << i;
+            for (int axis = 0; axis < 3; axis++) {
+                ASSERT_GE(component(p, axis), component(box.low, axis) - 1e-9) << "tree " << i;
+                ASSERT_LE(component(p, axis), component(box.high, axis) + 1e-9) << "tree " << i;
+            }
         }
     }
     EXPECT_GT(bounded, 1000U);
@@ -261,17 +265,23 @@ TEST(CompileSolids, SolidsThatEndHaveAFiniteBound)
               2 * std::sqrt(3));
 }
 
-TEST(CompileSolids, AParaboloidEndsWithACylinderAlongItsAxis)
+TEST(CompileSolids, ADishIsBoundedByItsHollowAndItsRim)
 {
-    const SolidPtr dish = solid(scene::Paraboloid{{0, 0, 0}, {0, .25, 0}}); // y > x^2 + z^2
+    // y > x^2 + z^2, less y > 2 + x^2/2 + z^2/2
+    const SolidPtr out = solid(scene::Paraboloid{{0, 0, 0}, {0, .25, 0}}),
+                   in = solid(scene::Paraboloid{{0, 2, 0}, {0, .5, 0}});
     const auto cut = [&](Vec3 point, Vec3 axis) {
-        return scene::bounds_of(scene::normal_form(*both({dish, solid(scene::Cylinder{point, axis})}))).sphere;
+        return scene::bounds_of(scene::normal_form(*both({out, complement(in), solid(scene::Cylinder{point, axis})})));
     };
-    const scene::BoundingSphere bound = cut({.5, -7, 0}, {0, -.5, 0});
-    EXPECT_LT(bound.radius, std::sqrt(3));
-    for (const Vec3 p : {Vec3{1, 1, 0}, Vec3{.5, .5, .5}, Vec3{0, 0, 0}, Vec3{.5, 1, 0}})
-        EXPECT_LE(length(p - bound.center), bound.radius) << p.x;
-    EXPECT_FALSE(cut({0, 0, 0}, {0, 1, .01}).radius < scene::unbounded);
+    const scene::Bounds bound = cut({.5, -7, 0}, {0, -.5, 0});
+    EXPECT_LT(bound.sphere.radius, 2);
+    for (const Vec3 p : {Vec3{1, 1, 0}, Vec3{1, 2.49, 0}, Vec3{.5, 2.3, .5}, Vec3{0, 0, 0}, Vec3{0, 1.99, 0}}) {
+        EXPECT_LE(length(p - bound.sphere.center), bound.sphere.radius) << p.x;
+        EXPECT_LE(bound.box.low.y, p.y);
+        EXPECT_GE(bound.box.high.y, p.y);
+    }
+    EXPECT_FALSE(cut({0, 0, 0}, {0, 1, .01}).sphere.radius < scene::unbounded);
+    EXPECT_FALSE(radius_of(both({out, solid(scene::Cylinder{{0, 0, 0}, {0, 1, 0}})})) < scene::unbounded);
 }
 
 TEST(CompileSolids, SolidsWithoutEndHaveNoBound)
