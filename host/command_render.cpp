@@ -92,14 +92,15 @@ void run(const RenderOptions& o)
     if (settings.precision == Precision::twofold) require_double(device.info);
 
     Renderer renderer = make_renderer(device);
+    OutputStream stream(output, size, encoding(o, source, describe(device.info)));
     Frame frame;
     {
         ProgressBar bar(output.file, !o.quiet);
-        frame = render_frame(renderer, compiled, settings, {[&](double done) { bar.update(done); }, interrupted});
+        frame = render_frame(renderer, compiled, settings,
+                             {[&](double done) { bar.update(done); }, interrupted,
+                              [&](unsigned y, std::span<const float> rgb) { stream.add(y, rgb); }});
     }
-    const std::string bytes = encode(frame.picture, output.format, encoding(o, source, frame.device));
-    if (interrupted()) throw Interrupted();
-    write_output(output, bytes);
+    stream.commit(interrupted);
     report(o, output, frame, watch.seconds());
 }
 

@@ -1,6 +1,5 @@
 #include "host/render_output.h"
 
-#include "host/atomic_file.h"
 #include "host/errors.h"
 
 #include <fmt/format.h>
@@ -39,6 +38,31 @@ Output choose_output(const std::string& file, const std::string& format_out, con
     else if (::isatty(STDOUT_FILENO))
         throw UsageError("a picture is not written to a terminal; redirect standard output");
     return out;
+}
+
+OutputStream::OutputStream(const Output& output, Shape size, const EncodeOptions& options)
+    : output_(output), size_(size), options_(options)
+{
+    require_encodable(size.width, size.height, output.format, options);
+}
+
+void OutputStream::add(unsigned y, std::span<const float> rgb)
+{
+    if (y == 0) { // the first time, or anew
+        writer_.reset();
+        file_.reset();
+        file_.emplace(output_.file);
+        writer_.emplace(size_.width, size_.height, output_.format, options_,
+                        [this](std::uint64_t offset, std::string_view bytes) { file_->write(offset, bytes); });
+    }
+    writer_->add(rgb);
+}
+
+void OutputStream::commit(const std::function<bool()>& cancelled)
+{
+    writer_->finish();
+    if (cancelled()) throw Interrupted();
+    file_->commit();
 }
 
 void write_output(const Output& output, const std::string& bytes)

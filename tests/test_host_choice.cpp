@@ -146,14 +146,14 @@ TEST(Tiling, a_tile_is_whole_groups_within_budget_and_memory)
     const Shape picture{1920, 1080}, group{16, 4};
     for (int power = -9; power < 1; ++power) {
         const double seconds = 0.7 * std::pow(10, power);
-        const Shape tile = choose_tile(picture, group, seconds, 0.25, 1U << 20);
+        const Shape tile = choose_tile(picture, group, seconds, {});
         EXPECT_EQ(tile.width % group.width, 0U);
         EXPECT_EQ(tile.height % group.height, 0U);
         EXPECT_LE(area(tile), std::size_t{1} << 20);
         EXPECT_TRUE(tile == group || static_cast<double>(area(tile)) * seconds <= 0.25) << seconds;
     }
-    EXPECT_EQ(choose_tile({100, 50}, group, 1e-7, 0.25, 1U << 20), (Shape{112, 52}));
-    EXPECT_EQ(choose_tile({1, 1}, group, 0, 0.25, 1U << 20), group);
+    EXPECT_EQ(choose_tile({100, 50}, group, 1e-7, {}), (Shape{112, 52}));
+    EXPECT_EQ(choose_tile({1, 1}, group, 0, {}), group);
 }
 
 TEST(Tiling, tiles_cover_every_pixel_once)
