@@ -274,6 +274,31 @@ class Cli(unittest.TestCase):
         finally:
             os.close(writing)
 
+    def peak_bytes(self, *arguments):
+        """The most memory that a run had, and its exit code."""
+        sanitizers = os.environ.get("ASAN_OPTIONS", "") + ":quarantine_size_mb=1"  # freed memory is not kept
+        process = self.start(*arguments, stdout=subprocess.DEVNULL, env={"ASAN_OPTIONS": sanitizers})
+        process.stderr.read()
+        process.stderr.close()
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        return usage.ru_maxrss * 1024, process.returncode
+
+    def test_memory_does_not_grow_with_the_picture(self):
+        with open(self.path("plain.clu"), "w") as file:
+            file.write("clucida 1\nobserver { eye [0, 0, 0]; look [0, 1, 0] }\nsky rgb\n")
+        render = ("render", "plain.clu", "--tile", "1024x64")
+        self.run_program(*render, "-s", "64x64", "-o", "warm.ppm")  # so that the kernel is compiled
+        small, _ = self.peak_bytes(*render, "-s", "64x64", "-o", "small.ppm")
+        side = 4096  # 192 MiB of floats, 48 MiB of bytes
+        for output in (["-o", "a.ppm"], ["-o", "a.pfm"], ["-o", "-", "--format-out", "ppm"]):
+            with self.subTest(output=output):
+                large, code = self.peak_bytes(*render, "-s", f"{side}x{side}", *output)
+                self.assertEqual(code, 0)
+                self.assertLess(large - small, 40 << 20)
+        with open(self.path("a.ppm"), "rb") as file:
+            self.assertEqual(len(file.read()), len(f"P6\n{side} {side}\n255\n") + side * side * 3)
+
     def test_an_interrupt_ends_with_130_and_leaves_no_file(self):
         self.render("-o", "warm.png")  # so that the kernel is compiled
         os.remove(self.path("warm.png"))

@@ -156,6 +156,19 @@ TEST(Tiling, a_tile_is_whole_groups_within_budget_and_memory)
     EXPECT_EQ(choose_tile({1, 1}, group, 0, {}), group);
 }
 
+TEST(Tiling, a_row_of_tiles_of_a_wide_picture_keeps_within_memory)
+{
+    const TileLimits limits;
+    for (const unsigned width : {4096U, 16384U, 65536U})
+        for (const double seconds : {0.0, 1e-8, 1e-6}) {
+            const Shape group{16, 4}, tile = choose_tile({width, 16384}, group, seconds, limits);
+            EXPECT_LE(std::size_t{width} * tile.height, limits.band_pixels);
+            EXPECT_LE(area(tile), limits.pixels);
+            EXPECT_GE(area(tile), std::min(1.0, 0.25 / seconds / limits.pixels) * limits.pixels * 0.9) << width;
+        }
+    EXPECT_EQ(choose_tile({65536, 16384}, {16, 4}, 0, {.band_pixels = 1}).height, 4U);
+}
+
 TEST(Tiling, tiles_cover_every_pixel_once)
 {
     const Tiling tiling{{37, 23}, {16, 8}};
