@@ -167,15 +167,13 @@ void trace_tiles(Tracer& tracer, const Tiling& tiling, const RenderSettings& set
         Lane& lane = lanes[turn % lanes.size()];
         if (hooks.cancelled && hooks.cancelled()) throw Interrupted();
         if (lane.busy) {
+            canvas.hand_over();
             collect(lane, settings.samples, frame.statistics, canvas);
             ++collected;
             if (hooks.progress) hooks.progress(static_cast<double>(collected) / static_cast<double>(frame.launches));
         }
         if (!lane.has_tile) {
-            if (next_tile == tiles) {
-                canvas.hand_over();
-                continue;
-            }
+            if (next_tile == tiles) continue;
             lane.index = next_tile++;
             lane.has_tile = true;
             lane.samples_end = 0;
@@ -184,8 +182,10 @@ void trace_tiles(Tracer& tracer, const Tiling& tiling, const RenderSettings& set
         lane.samples_end = std::min(lane.samples_begin + samples_per_launch, settings.samples);
         enqueue(tracer, lane, tiling.tile, tiling.x0(lane.index), tiling.y0(lane.index));
         enqueue_results(tracer, lane, lane.samples_end == settings.samples);
-        canvas.hand_over();
     }
+    const Stopwatch rows;
+    canvas.hand_over();
+    frame.timings.rows = rows.seconds();
 }
 
 } // namespace clucida::host

@@ -21,7 +21,7 @@ void warm_up(Tracer& tracer);
 double measure_sample(Tracer& tracer, Shape picture);
 
 /// Traces the whole frame into frame.picture, or gives it to hooks.rows, and adds to frame.statistics; sets
-/// frame.launches.
+/// frame.launches and frame.timings.rows.
 /// @throws cl::Error, Interrupted
 void trace_tiles(Tracer& tracer, const Tiling& tiling, const RenderSettings& settings, const RenderHooks& hooks,
                  Frame& frame);

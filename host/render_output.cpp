@@ -73,16 +73,16 @@ void write_output(const Output& output, const std::string& bytes)
         write_file(output.file, bytes);
 }
 
-std::string timing_line(const std::string& name, const Frame& frame, unsigned samples, double total_seconds)
+std::string timing_line(const std::string& name, const Frame& frame, unsigned samples, const Stages& stages)
 {
     const Timings& t = frame.timings;
     return fmt::format("{}: {}x{}, {} sample{}, {:.2f} s (build {:.2f}, first launch {:.2f}, upload {:.3f}, trace "
                        "{:.3f}), {:.1f} Mrays/s",
-                       name, frame.picture.width, frame.picture.height, samples, samples == 1 ? "" : "s", total_seconds,
+                       name, frame.picture.width, frame.picture.height, samples, samples == 1 ? "" : "s", stages.total,
                        t.build, t.first_enqueue, t.upload, t.trace, rays_per_second(frame) / 1e6);
 }
 
-nlohmann::ordered_json frame_json(const Frame& frame, double total_seconds)
+nlohmann::ordered_json frame_json(const Frame& frame, const Stages& stages)
 {
     nlohmann::ordered_json statistics;
     for (const StatisticsField& f : statistics_fields()) statistics[f.name] = frame.statistics.*f.value;
@@ -96,11 +96,16 @@ nlohmann::ordered_json frame_json(const Frame& frame, double total_seconds)
             {"retries", frame.retries},
             {"capacities", {{"interior", needs.interior}, {"stack", needs.stack}, {"groups", needs.groups}}},
             {"seconds",
-             {{"total", total_seconds},
+             {{"total", stages.total},
+              {"read", stages.read},
+              {"compile", stages.compile},
+              {"devices", stages.devices},
+              {"context", stages.context},
               {"build", t.build},
               {"first_launch", t.first_enqueue},
               {"upload", t.upload},
-              {"trace", t.trace}}},
+              {"trace", t.trace},
+              {"write", t.rows + stages.write}}},
             {"rays_per_second", rays_per_second(frame)},
             {"statistics", std::move(statistics)}};
 }

@@ -45,10 +45,20 @@ private:
 /// @throws Failure
 void write_output(const Output& output, const std::string& bytes);
 
+/// Seconds that a picture took beside those of Timings.
+struct Stages {
+    double read = 0;    ///< the scene's text
+    double compile = 0; ///< the scene to buffers, photographs included
+    double devices = 0; ///< asking OpenCL, which loads its implementations
+    double context = 0;
+    double write = 0; ///< the file, after the last launch
+    double total = 0;
+};
+
 /// What took how long: a line.
-std::string timing_line(const std::string& name, const Frame& frame, unsigned samples, double total_seconds);
+std::string timing_line(const std::string& name, const Frame& frame, unsigned samples, const Stages& stages);
 
 /// The frame's statistics, timings and capacities.
-nlohmann::ordered_json frame_json(const Frame& frame, double total_seconds);
+nlohmann::ordered_json frame_json(const Frame& frame, const Stages& stages);
 
 } // namespace clucida::host

@@ -76,8 +76,9 @@ void render_once(Renderer& renderer, const DeviceBuffers& buffers, const RenderS
                                   frame.tile.width, frame.tile.height, tile_bytes, describe(renderer.device.info),
                                   allowed));
     frame.statistics = {};
+    frame.timings.rows = 0;
     trace_tiles(tracer, {settings.picture, frame.tile}, settings, hooks, frame);
-    frame.timings.trace += trace.seconds();
+    frame.timings.trace += trace.seconds() - frame.timings.rows;
 }
 
 /// Enlarges what the frame overflowed. False if nothing did, or nothing can be done.

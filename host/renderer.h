@@ -33,6 +33,7 @@ struct Timings {
     double first_enqueue = 0; ///< an empty launch: code generation where the implementation puts it off until then, s
     double upload = 0;        ///< the scene to the device, s
     double trace = 0;         ///< all launches and their results' way back, s
+    double rows = 0;          ///< what RenderHooks::rows took when all launches were done, s
 };
 
 struct Frame {
