@@ -86,10 +86,12 @@ void run(const RenderOptions& o)
     }
 
     Stopwatch watch;
-    const SceneSource source = load_scene(o.scene);
+    SceneSource source = load_scene(o.scene);
     stages.read = watch.lap();
     const scene::Compiled compiled =
         compile_scene(source, {size.width, size.height, o.samples, o.max_hops, o.cutoff, source.as_original});
+    source.scene = {}; // a million objects are some hundred MiB, which tracing need not keep
+    source.text = {};
     stages.compile = watch.lap();
     const Device device = find_device(device_selector(o.device));
     stages.devices = watch.lap();

@@ -97,6 +97,17 @@ class Cli(unittest.TestCase):
             out, _ = self.run_program(*arguments)
             self.assertIn(b"clucida", out)
 
+    def test_without_rendering_no_implementation_of_OpenCL_is_loaded(self):
+        os.mkdir(self.path("vendors"))  # of a library that does not exist: the loader would say so
+        with open(self.path("vendors/none.icd"), "w") as file:
+            file.write("libnone.so\n")
+        environment = {"OCL_ICD_VENDORS": self.path("vendors"), "OCL_ICD_DEBUG": "7", "LD_DEBUG": "files"}
+        for arguments in (["--version"], ["--help"], ["render", "--help"], ["inspect", "scene.clu"]):
+            _, err = self.run_program(*arguments, env=environment)
+            self.assertIn("libOpenCL", err)
+            self.assertNotIn("libnone", err)
+        self.assertIn("libnone", self.run_program("devices", code=1, env=environment)[1])
+
     def test_wrong_usage_ends_with_2(self):
         for arguments in (
             [],
@@ -160,6 +171,8 @@ class Cli(unittest.TestCase):
         self.assertEqual([o["name"] for o in found["objects"]], ["ball", "ground"])
         self.assertIn("transparent", found["features"])
         self.assertEqual(sum(found["buffers"].values()), found["total_bytes"])
+        self.assertEqual(found["kinds"]["spheres"], {"objects": 1, "bytes": found["objects"][0]["bytes"]})
+        self.assertEqual(sum(k["objects"] for k in found["kinds"].values()), 2)
 
     def test_inspect_prints_a_scene_that_reads_back(self):
         text, err = self.run_program("inspect", "scene.clu", "--print")
@@ -215,7 +228,10 @@ class Cli(unittest.TestCase):
     def test_json_holds_statistics_and_times(self):
         found = json.loads(self.render("--json", "-q", "--samples", "3")[0])
         self.assertEqual(found["statistics"]["primary"], 32 * 18 * 3)
-        self.assertGreater(found["seconds"]["trace"], 0)
+        seconds = found["seconds"]
+        self.assertGreater(seconds["trace"], 0)
+        self.assertGreater(seconds["devices"], 0)
+        self.assertLessEqual(sum(seconds.values()) - seconds["total"], seconds["total"])
         out, err = self.render("--json", "-q", "-o", "-")
         png_size_and_text(out)
         self.assertIn('"statistics"', err)
