@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -84,15 +85,92 @@ mode_t usual_mode()
     return 0666 & ~mask;
 }
 
-void write_special(const fs::path& file, std::string_view bytes)
+/// A file without a name, for what may be copied to its place only when it is whole.
+int open_nameless()
 {
-    Descriptor out(::open(file.c_str(), O_WRONLY | O_CLOEXEC));
-    if (out.get() < 0) fail("cannot write", file.string());
-    write_all(out.get(), bytes, file.string());
-    if (!out.close()) fail("cannot write", file.string());
+    std::error_code error;
+    std::string name = (fs::temp_directory_path(error) / "clucida.XXXXXX").string();
+    const int fd = error ? -1 : ::mkostemp(name.data(), O_CLOEXEC);
+    if (fd < 0) return ::memfd_create("clucida", MFD_CLOEXEC);
+    ::unlink(name.c_str());
+    return fd;
+}
+
+/// Copies the whole of one file to another.
+void copy_all(int from, int to, const std::string& name)
+{
+    std::string piece(std::size_t{1} << 18, '\0');
+    for (off_t at = 0;;) {
+        const ssize_t n = ::pread(from, piece.data(), piece.size(), at);
+        if (n == 0) return;
+        if (n > 0) {
+            write_all(to, std::string_view(piece).substr(0, static_cast<std::size_t>(n)), name);
+            at += n;
+        } else if (errno != EINTR) {
+            fail("cannot read what was written for", name);
+        }
+    }
+}
+
+bool is_output(const fs::path& file)
+{
+    return file == "-";
 }
 
 } // namespace
+
+struct PendingFile::State {
+    fs::path file;       ///< as it was named
+    fs::path target;     ///< where that leads to
+    bool copied = false; ///< at the end, for the target is no file that could be renamed to
+    std::string name;    ///< of the temporary file, if it has one
+    Descriptor out;
+    Temporary temporary;
+
+    explicit State(const fs::path& file_)
+        : file(file_), target(target_of(file)), copied(is_output(file) || is_special(target)),
+          name(copied ? "" : (folder_of(target) / fmt::format(".{}.XXXXXX", target.filename().string())).string()),
+          out(copied ? open_nameless() : ::mkostemp(name.data(), O_CLOEXEC)), temporary(out.get() < 0 ? "" : name)
+    {
+    }
+};
+
+PendingFile::PendingFile(const fs::path& file) : state_(std::make_unique<State>(file))
+{
+    if (state_->out.get() < 0) fail("cannot write", file.string());
+}
+
+PendingFile::~PendingFile() = default;
+
+void PendingFile::write(std::uint64_t offset, std::string_view bytes)
+{
+    while (!bytes.empty()) {
+        const ssize_t n = ::pwrite(state_->out.get(), bytes.data(), bytes.size(), static_cast<off_t>(offset));
+        if (n >= 0) {
+            bytes.remove_prefix(static_cast<std::size_t>(n));
+            offset += static_cast<std::size_t>(n);
+        } else if (errno != EINTR) {
+            fail("cannot write", state_->file.string());
+        }
+    }
+}
+
+void PendingFile::commit()
+{
+    State& s = *state_;
+    if (is_output(s.file)) return copy_all(s.out.get(), STDOUT_FILENO, "standard output");
+    if (s.copied) {
+        Descriptor to(::open(s.target.c_str(), O_WRONLY | O_CLOEXEC));
+        if (to.get() < 0) fail("cannot write", s.file.string());
+        copy_all(s.out.get(), to.get(), s.file.string());
+        if (!to.close()) fail("cannot write", s.file.string());
+        return;
+    }
+    if (::fchmod(s.out.get(), usual_mode()) != 0 || ::fsync(s.out.get()) != 0 || !s.out.close() ||
+        ::rename(s.name.c_str(), s.target.c_str()) != 0)
+        fail("cannot write", s.file.string());
+    s.temporary.keep();
+}
 
 void require_writable(const fs::path& file)
 {
@@ -111,18 +189,9 @@ void require_writable(const fs::path& file)
 
 void write_file(const fs::path& file, std::string_view bytes)
 {
-    const fs::path target = target_of(file);
-    if (is_special(target)) return write_special(target, bytes);
-
-    std::string name = (folder_of(target) / fmt::format(".{}.XXXXXX", target.filename().string())).string();
-    Descriptor out(::mkstemp(name.data()));
-    if (out.get() < 0) fail("cannot write", file.string());
-    Temporary temporary(name);
-    write_all(out.get(), bytes, file.string());
-    if (::fchmod(out.get(), usual_mode()) != 0 || ::fsync(out.get()) != 0 || !out.close())
-        fail("cannot write", file.string());
-    if (::rename(name.c_str(), target.c_str()) != 0) fail("cannot write", file.string());
-    temporary.keep();
+    PendingFile pending(file);
+    pending.write(0, bytes);
+    pending.commit();
 }
 
 void write_all(int descriptor, std::string_view bytes, const std::string& name)

@@ -1,11 +1,33 @@
 /// A file that appears whole or not at all.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 
 namespace clucida::host {
+
+/// A file that grows under a temporary name until it is committed. In the target's folder; for standard output ("-")
+/// and for what is no regular file (a device, a pipe), which can take nothing back, in the folder for temporary files
+/// (TMPDIR, else /tmp) or, where that takes none, in memory. Not committed, it leaves nothing.
+class PendingFile {
+public:
+    /// @throws Failure with the system's reason, like all its functions
+    explicit PendingFile(const std::filesystem::path& file);
+    ~PendingFile();
+    PendingFile(const PendingFile&) = delete;
+    PendingFile& operator=(const PendingFile&) = delete;
+
+    void write(std::uint64_t offset, std::string_view bytes);
+    /// Flushes it to the disk and gives it its name; or copies it to where it is to go.
+    void commit();
+
+private:
+    struct State; // keeps the system's headers out of this one
+    std::unique_ptr<State> state_;
+};
 
 /// Checks, before any work is done, that a file of this name could be written. @throws Failure saying why not
 void require_writable(const std::filesystem::path& file);

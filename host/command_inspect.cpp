@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <map>
 #include <memory>
 
 namespace clucida::host {
@@ -41,6 +42,30 @@ double per_object(const scene::Compiled& compiled)
     return static_cast<double>(total_bytes(compiled)) / count;
 }
 
+/// Objects made of the same kinds of primitives.
+struct Kind {
+    std::size_t objects = 0, bytes = 0;
+};
+
+std::map<std::string, Kind> kinds_of(const scene::Compiled& compiled)
+{
+    std::map<std::string, Kind> out;
+    for (const scene::ObjectReport& o : compiled.objects) {
+        std::string name;
+        const auto add = [&](std::size_t count, const char* what) {
+            if (count) name += fmt::format("{}{}", name.empty() ? "" : "+", what);
+        };
+        add(o.planes, "planes");
+        add(o.spheres, "spheres");
+        add(o.quadrics, "quadrics");
+        add(o.tori, "tori");
+        Kind& kind = out[name.empty() ? "nothing" : name];
+        ++kind.objects;
+        kind.bytes += o.bytes;
+    }
+    return out;
+}
+
 nlohmann::ordered_json object_json(const scene::ObjectReport& o)
 {
     nlohmann::ordered_json j = {{"name", o.name},       {"groups", o.groups},     {"planes", o.planes},
@@ -52,8 +77,10 @@ nlohmann::ordered_json object_json(const scene::ObjectReport& o)
 
 nlohmann::ordered_json to_json(const SceneSource& source, const scene::Compiled& compiled)
 {
-    nlohmann::ordered_json objects = nlohmann::ordered_json::array(), buffers;
+    nlohmann::ordered_json objects = nlohmann::ordered_json::array(), kinds, buffers;
     for (const scene::ObjectReport& o : compiled.objects) objects.push_back(object_json(o));
+    for (const auto& [name, kind] : kinds_of(compiled))
+        kinds[name] = {{"objects", kind.objects}, {"bytes", kind.bytes}};
     for (std::size_t i = 0; i < BUFFER_COUNT; ++i) buffers[buffer_names[i]] = compiled.buffers.bytes[i].size();
     const scene::Needs& needs = compiled.needs;
     return {{"scene", source.name},
@@ -66,6 +93,7 @@ nlohmann::ordered_json to_json(const SceneSource& source, const scene::Compiled&
             {"buffers", std::move(buffers)},
             {"total_bytes", total_bytes(compiled)},
             {"bytes_per_object", per_object(compiled)},
+            {"kinds", std::move(kinds)},
             {"objects", std::move(objects)}};
 }
 
@@ -78,6 +106,10 @@ void print(const SceneSource& source, const scene::Compiled& compiled)
     for (const scene::ObjectReport& o : compiled.objects)
         fmt::print("{:<24} {:>7} {:>7} {:>8} {:>9} {:>6} {:>12.6g} {:>8}\n", o.name.empty() ? "-" : o.name, o.groups,
                    o.planes, o.spheres, o.quadrics, o.tori, o.radius, o.bytes);
+    fmt::print("\n{:<24} {:>7} {:>12} {:>10}\n", "objects of", "count", "bytes", "each");
+    for (const auto& [name, kind] : kinds_of(compiled))
+        fmt::print("{:<24} {:>7} {:>12} {:>10.1f}\n", name, kind.objects, kind.bytes,
+                   static_cast<double>(kind.bytes) / static_cast<double>(kind.objects));
     fmt::print("\nfeatures   {}\n", fmt::join(feature_list(needs), " "));
     fmt::print("capacities interior {} (of at most {}), stack {}, groups {}\n", needs.interior, compiled.interior_bound,
                needs.stack, needs.groups);

@@ -51,23 +51,24 @@ EncodeOptions encoding(const RenderOptions& o, const SceneSource& source, const 
     return out;
 }
 
-void report(const RenderOptions& o, const Output& output, const Frame& frame, double seconds)
+void report(const RenderOptions& o, const Output& output, const Frame& frame, const Stages& stages)
 {
     if (!frame.note.empty() && !o.quiet) fmt::print(stderr, "clucida: note: {}\n", frame.note);
     const std::string faults = describe_faults(frame.statistics);
     if (!faults.empty()) fmt::print(stderr, "clucida: warning: the picture has faults: {}\n", faults);
-    if (!o.quiet) fmt::print(stderr, "{}\n", timing_line(output.file, frame, o.samples, seconds));
+    if (!o.quiet) fmt::print(stderr, "{}\n", timing_line(output.file, frame, o.samples, stages));
     if (!o.json) return;
     nlohmann::ordered_json j = {
         {"scene", o.scene.file}, {"output", output.file}, {"samples", o.samples}, {"precision", o.precision}};
-    j.update(frame_json(frame, seconds));
+    j.update(frame_json(frame, stages));
     auto& stream = output.file == "-" ? std::cerr : std::cout;
     stream << j.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
 }
 
 void run(const RenderOptions& o)
 {
-    const Stopwatch watch;
+    const Stopwatch total;
+    Stages stages;
     const Shape size = parse_picture_size(o.size);
     RenderSettings settings;
     settings.picture = size;
@@ -84,23 +85,35 @@ void run(const RenderOptions& o)
         return;
     }
 
-    const SceneSource source = load_scene(o.scene);
+    Stopwatch watch;
+    SceneSource source = load_scene(o.scene);
+    stages.read = watch.lap();
     const scene::Compiled compiled =
         compile_scene(source, {size.width, size.height, o.samples, o.max_hops, o.cutoff, source.as_original});
+    source.scene = {}; // a million objects are some hundred MiB, which tracing need not keep
+    source.text = {};
+    stages.compile = watch.lap();
     const Device device = find_device(device_selector(o.device));
+    stages.devices = watch.lap();
     if (!o.quiet) fmt::print(stderr, "device {}\n", describe(device.info));
     if (settings.precision == Precision::twofold) require_double(device.info);
 
+    watch.lap();
     Renderer renderer = make_renderer(device);
+    stages.context = watch.lap();
+    OutputStream stream(output, size, encoding(o, source, describe(device.info)));
     Frame frame;
     {
         ProgressBar bar(output.file, !o.quiet);
-        frame = render_frame(renderer, compiled, settings, {[&](double done) { bar.update(done); }, interrupted});
+        frame = render_frame(renderer, compiled, settings,
+                             {[&](double done) { bar.update(done); }, interrupted,
+                              [&](unsigned y, std::span<const float> rgb) { stream.add(y, rgb); }});
     }
-    const std::string bytes = encode(frame.picture, output.format, encoding(o, source, frame.device));
-    if (interrupted()) throw Interrupted();
-    write_output(output, bytes);
-    report(o, output, frame, watch.seconds());
+    watch.lap();
+    stream.commit(interrupted);
+    stages.write = watch.lap();
+    stages.total = total.seconds();
+    report(o, output, frame, stages);
 }
 
 void add_picture_options(CLI::App& command, RenderOptions& o)

@@ -60,26 +60,61 @@ void enqueue_results(Tracer& t, Lane& lane, bool with_tile)
     lane.busy = true;
 }
 
-void copy_tile(const Lane& lane, const Tiling& tiling, unsigned samples, Picture& picture)
+/// A tile into rows of the picture, which begin with the tile's first.
+void copy_tile(const Lane& lane, const Tiling& tiling, unsigned samples, float* rows)
 {
     const Shape part = tiling.visible(lane.index);
     for (unsigned j = 0; j < part.height; ++j) {
         const float* from = lane.tile_copy.data() + std::size_t{4} * tiling.tile.width * j;
-        const std::size_t y = tiling.y0(lane.index) + j;
-        float* to = picture.rgb.data() + 3 * (y * picture.width + tiling.x0(lane.index));
+        float* to = rows + 3 * (std::size_t{j} * tiling.picture.width + tiling.x0(lane.index));
         for (unsigned i = 0; i < part.width; ++i, from += 4, to += 3)
             for (int channel = 0; channel < 3; ++channel) to[channel] = from[channel] / static_cast<float>(samples);
     }
 }
 
+/// Where tiles go when they are finished, which they are in order: the whole picture, or one row of tiles at a time.
+class Canvas {
+public:
+    Canvas(const Tiling& tiling, Picture& picture, const RenderHooks& hooks)
+        : tiling_(tiling), picture_(picture), hooks_(hooks)
+    {
+        if (hooks.rows) band_.resize(row_floats() * std::min(tiling.tile.height, tiling.picture.height));
+    }
+    void add(const Lane& lane, unsigned samples)
+    {
+        const std::size_t y = tiling_.y0(lane.index);
+        copy_tile(lane, tiling_, samples, hooks_.rows ? band_.data() : picture_.rgb.data() + y * row_floats());
+        last_ = lane.index;
+        full_ = (last_ + 1) % tiling_.columns() == 0;
+    }
+    /// Gives the band away if it is complete. Apart from add, so that the device has work meanwhile.
+    void hand_over()
+    {
+        if (!full_) return;
+        const std::size_t floats = row_floats() * tiling_.visible(last_).height;
+        if (hooks_.rows) hooks_.rows(tiling_.y0(last_), std::span(band_).first(floats));
+        full_ = false;
+    }
+
+private:
+    std::size_t row_floats() const { return std::size_t{3} * tiling_.picture.width; }
+
+    const Tiling& tiling_;
+    Picture& picture_;
+    const RenderHooks& hooks_;
+    std::vector<float> band_;
+    std::size_t last_ = 0; ///< tile that was added
+    bool full_ = false;    ///< it completed a band
+};
+
 /// Waits for the lane's launch and takes its results.
-void collect(Lane& lane, const Tiling& tiling, unsigned samples, Frame& frame)
+void collect(Lane& lane, unsigned samples, Statistics& statistics, Canvas& canvas)
 {
     lane.done.wait();
     lane.busy = false;
-    add_rows(frame.statistics, lane.stats_copy);
+    add_rows(statistics, lane.stats_copy);
     lane.has_tile = lane.samples_end < samples;
-    if (!lane.has_tile) copy_tile(lane, tiling, samples, frame.picture);
+    if (!lane.has_tile) canvas.add(lane, samples);
 }
 
 /// Lanes write into memory of the host, which must outlive what is in flight.
@@ -121,6 +156,7 @@ void trace_tiles(Tracer& tracer, const Tiling& tiling, const RenderSettings& set
     const std::size_t runs = (settings.samples + samples_per_launch - 1) / samples_per_launch;
     frame.launches = tiles * runs;
 
+    Canvas canvas(tiling, frame.picture, hooks);
     std::vector<Lane> lanes;
     const FinishBeforeLeaving guard{tracer.queue};
     for (unsigned i = 0; i < std::min<std::size_t>(std::max(settings.in_flight, 1u), tiles); ++i)
@@ -131,7 +167,8 @@ void trace_tiles(Tracer& tracer, const Tiling& tiling, const RenderSettings& set
         Lane& lane = lanes[turn % lanes.size()];
         if (hooks.cancelled && hooks.cancelled()) throw Interrupted();
         if (lane.busy) {
-            collect(lane, tiling, settings.samples, frame);
+            canvas.hand_over();
+            collect(lane, settings.samples, frame.statistics, canvas);
             ++collected;
             if (hooks.progress) hooks.progress(static_cast<double>(collected) / static_cast<double>(frame.launches));
         }
@@ -146,6 +183,9 @@ void trace_tiles(Tracer& tracer, const Tiling& tiling, const RenderSettings& set
         enqueue(tracer, lane, tiling.tile, tiling.x0(lane.index), tiling.y0(lane.index));
         enqueue_results(tracer, lane, lane.samples_end == settings.samples);
     }
+    const Stopwatch rows;
+    canvas.hand_over();
+    frame.timings.rows = rows.seconds();
 }
 
 } // namespace clucida::host

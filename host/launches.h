@@ -20,7 +20,8 @@ void warm_up(Tracer& tracer);
 /// Seconds that one sample of a pixel takes, measured on a few small tiles.
 double measure_sample(Tracer& tracer, Shape picture);
 
-/// Traces the whole frame into frame.picture and adds to frame.statistics; sets frame.launches.
+/// Traces the whole frame into frame.picture, or gives it to hooks.rows, and adds to frame.statistics; sets
+/// frame.launches and frame.timings.rows.
 /// @throws cl::Error, Interrupted
 void trace_tiles(Tracer& tracer, const Tiling& tiling, const RenderSettings& settings, const RenderHooks& hooks,
                  Frame& frame);

@@ -51,18 +51,18 @@ double srgb_decode(double encoded)
     return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
-std::vector<std::uint8_t> develop_8(const Picture& picture, Transfer transfer)
+std::vector<std::uint8_t> develop_8(std::span<const float> rgb, Transfer transfer)
 {
     const ByteTable table(transfer);
-    std::vector<std::uint8_t> out(picture.rgb.size());
-    std::transform(picture.rgb.begin(), picture.rgb.end(), out.begin(), table);
+    std::vector<std::uint8_t> out(rgb.size());
+    std::transform(rgb.begin(), rgb.end(), out.begin(), table);
     return out;
 }
 
-std::vector<std::uint16_t> develop_16(const Picture& picture, Transfer transfer)
+std::vector<std::uint16_t> develop_16(std::span<const float> rgb, Transfer transfer)
 {
-    std::vector<std::uint16_t> out(picture.rgb.size());
-    std::transform(picture.rgb.begin(), picture.rgb.end(), out.begin(), [transfer](float value) {
+    std::vector<std::uint16_t> out(rgb.size());
+    std::transform(rgb.begin(), rgb.end(), out.begin(), [transfer](float value) {
         const double x = value > 0 ? std::min(double{value}, 1.0) : 0.0;
         return static_cast<std::uint16_t>(std::lround((transfer == Transfer::srgb ? srgb_encode(x) : x) * 65535));
     });

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace clucida::host {
@@ -23,10 +24,18 @@ enum class Transfer { srgb, linear };
 double srgb_encode(double linear); ///< 0..1 to 0..1
 double srgb_decode(double encoded);
 
-/// Three bytes a pixel, clamped to 0..1 and rounded to nearest; what is not a number becomes 0.
-std::vector<std::uint8_t> develop_8(const Picture& picture, Transfer transfer);
+/// A byte for each number, clamped to 0..1 and rounded to nearest; what is not a number becomes 0.
+std::vector<std::uint8_t> develop_8(std::span<const float> rgb, Transfer transfer);
+inline std::vector<std::uint8_t> develop_8(const Picture& picture, Transfer transfer)
+{
+    return develop_8(std::span(picture.rgb), transfer);
+}
 
 /// The same in 16 bits, native order.
-std::vector<std::uint16_t> develop_16(const Picture& picture, Transfer transfer);
+std::vector<std::uint16_t> develop_16(std::span<const float> rgb, Transfer transfer);
+inline std::vector<std::uint16_t> develop_16(const Picture& picture, Transfer transfer)
+{
+    return develop_16(std::span(picture.rgb), transfer);
+}
 
 } // namespace clucida::host

@@ -1,13 +1,13 @@
 #include "host/picture_file.h"
 
 #include "host/errors.h"
+#include "host/picture_writer.h"
 
 #include <fmt/format.h>
-#include <stb/stb_image_write.h>
 
-#include <bit>
+#include <algorithm>
 #include <cctype>
-#include <cstring>
+#include <climits>
 
 namespace clucida::host {
 namespace {
@@ -19,70 +19,6 @@ struct Ending {
 constexpr Ending endings[] = {{"png", FileFormat::png}, {"jpg", FileFormat::jpeg}, {"jpeg", FileFormat::jpeg},
                               {"hdr", FileFormat::hdr}, {"pfm", FileFormat::pfm},  {"ppm", FileFormat::ppm},
                               {"pnm", FileFormat::ppm}};
-
-void append(void* context, void* data, int size)
-{
-    static_cast<std::string*>(context)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
-}
-
-std::string samples_8(const Picture& picture, Transfer transfer)
-{
-    const auto bytes = develop_8(picture, transfer);
-    return {bytes.begin(), bytes.end()};
-}
-
-/// Most significant byte first.
-std::string samples_16(const Picture& picture, Transfer transfer)
-{
-    std::string out;
-    out.reserve(picture.rgb.size() * 2);
-    for (const std::uint16_t v : develop_16(picture, transfer)) {
-        out += static_cast<char>(v >> 8);
-        out += static_cast<char>(v & 255);
-    }
-    return out;
-}
-
-std::string samples(const Picture& picture, const EncodeOptions& options)
-{
-    return options.depth == 16 ? samples_16(picture, options.transfer) : samples_8(picture, options.transfer);
-}
-
-std::string encode_jpeg(const Picture& picture, const EncodeOptions& options)
-{
-    const std::string bytes = samples_8(picture, options.transfer);
-    std::string out;
-    if (!stbi_write_jpg_to_func(append, &out, static_cast<int>(picture.width), static_cast<int>(picture.height), 3,
-                                bytes.data(), static_cast<int>(options.quality)))
-        throw Failure("the JPEG encoder failed");
-    return out;
-}
-
-std::string encode_hdr(const Picture& picture)
-{
-    std::string out;
-    if (!stbi_write_hdr_to_func(append, &out, static_cast<int>(picture.width), static_cast<int>(picture.height), 3,
-                                picture.rgb.data()))
-        throw Failure("the Radiance encoder failed");
-    return out;
-}
-
-/// Portable float map: rows from the bottom; a negative scale says least significant byte first.
-std::string encode_pfm(const Picture& picture)
-{
-    static_assert(std::endian::native == std::endian::little);
-    std::string out = fmt::format("PF\n{} {}\n-1.0\n", picture.width, picture.height);
-    const std::size_t row = std::size_t{3} * picture.width;
-    for (std::size_t y = picture.height; y-- > 0;)
-        out.append(reinterpret_cast<const char*>(picture.rgb.data() + y * row), row * sizeof(float));
-    return out;
-}
-
-std::string encode_ppm(const Picture& picture, const EncodeOptions& options)
-{
-    return fmt::format("P6\n{} {}\n{}\n", picture.width, picture.height, options.depth == 16 ? 65535 : 255) +
-           samples(picture, options);
-}
 
 } // namespace
 
@@ -112,20 +48,22 @@ void require_encodable(unsigned width, unsigned height, FileFormat format, const
     if (options.quality < 1 || options.quality > 100) throw UsageError("JPEG's quality lies within 1 and 100");
     if (format == FileFormat::jpeg && (width > 65500 || height > 65500))
         throw UsageError("a JPEG is at most 65500 pixels wide and high; use png");
+    // The encoder counts samples in an int.
+    if (format == FileFormat::jpeg && std::uint64_t{3} * width * height > INT_MAX)
+        throw UsageError("a JPEG has at most 715 million pixels here; use png");
 }
 
 std::string encode(const Picture& picture, FileFormat format, const EncodeOptions& options)
 {
-    require_encodable(picture.width, picture.height, format, options);
-    switch (format) {
-    case FileFormat::png:
-        return encode_png(picture.width, picture.height, options.depth, samples(picture, options), options);
-    case FileFormat::jpeg: return encode_jpeg(picture, options);
-    case FileFormat::hdr: return encode_hdr(picture);
-    case FileFormat::pfm: return encode_pfm(picture);
-    case FileFormat::ppm: return encode_ppm(picture, options);
-    }
-    throw Failure("no such format");
+    std::string out;
+    PictureWriter writer(picture.width, picture.height, format, options,
+                         [&](std::uint64_t offset, std::string_view bytes) {
+                             out.resize(std::max<std::size_t>(out.size(), offset + bytes.size()));
+                             std::copy(bytes.begin(), bytes.end(), out.begin() + static_cast<std::ptrdiff_t>(offset));
+                         });
+    writer.add(picture.rgb);
+    writer.finish();
+    return out;
 }
 
 } // namespace clucida::host

@@ -37,10 +37,6 @@ void require_encodable(unsigned width, unsigned height, FileFormat format, const
 /// @throws UsageError as require_encodable, Failure if the encoder fails
 std::string encode(const Picture& picture, FileFormat format, const EncodeOptions& options = {});
 
-/// Rows of 8 or 16 bit RGB samples (16: most significant byte first) as a PNG (picture_png.cpp).
-std::string encode_png(unsigned width, unsigned height, unsigned depth, std::string_view samples,
-                       const EncodeOptions& options);
-
 /// A picture of any of the formats (and of the others that stb_image reads), by its content. Integer samples are
 /// taken through the inverse of `transfer`.
 /// @throws Failure if it is none of these

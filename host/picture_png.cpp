@@ -1,12 +1,13 @@
-// PNG (ISO/IEC 15948): 8 and 16 bit RGB with text chunks. stb_image_write has neither 16 bits nor text.
+#include "host/picture_png.h"
+
 #include "host/errors.h"
-#include "host/picture_file.h"
 
 #include <zlib.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <utility>
 
 namespace clucida::host {
 namespace {
@@ -109,30 +110,59 @@ private:
 
 } // namespace
 
-std::string encode_png(unsigned width, unsigned height, unsigned depth, std::string_view samples,
-                       const EncodeOptions& options)
+struct PngEncoder::State {
+    std::size_t step, row; ///< bytes of a pixel and of a row
+    std::string out = {};
+    std::string above = {}; ///< the row before, empty at the top
+    std::vector<Bytef> filtered = std::vector<Bytef>(row + 1);
+    Deflate deflate{out};
+
+    void add(std::string_view samples)
+    {
+        const auto* bytes = reinterpret_cast<const std::uint8_t*>(samples.data());
+        const auto* before = above.empty() ? nullptr : reinterpret_cast<const std::uint8_t*>(above.data());
+        for (std::size_t at = 0; at < samples.size(); at += row) {
+            filter_row(bytes + at, before, row, step, filtered.data());
+            deflate.add(filtered);
+            before = bytes + at;
+        }
+        if (!samples.empty()) above = samples.substr(samples.size() - row);
+    }
+};
+
+PngEncoder::PngEncoder(unsigned width, unsigned height, const EncodeOptions& options)
 {
-    std::string out = "\x89PNG\r\n\x1a\n";
+    const std::size_t step = std::size_t{3} * options.depth / 8;
+    state_.reset(new State{step, step * width});
+    std::string& out = state_->out;
+    out = "\x89PNG\r\n\x1a\n";
     std::string header;
     add_u32(header, width);
     add_u32(header, height);
-    header += static_cast<char>(depth);
+    header += static_cast<char>(options.depth);
     header += std::string("\2\0\0\0", 4); // RGB, deflate, the usual filters, not interlaced
     add_chunk(out, "IHDR", header);
     if (options.transfer == Transfer::srgb) add_chunk(out, "sRGB", std::string(1, '\0'));
     for (const auto& [keyword, text] : options.metadata) add_text(out, keyword, text);
+}
 
-    const std::size_t step = std::size_t{3} * depth / 8, row = step * width;
-    const auto* bytes = reinterpret_cast<const std::uint8_t*>(samples.data());
-    std::vector<Bytef> filtered(row + 1);
-    Deflate deflate(out);
-    for (std::size_t y = 0; y < height; ++y) {
-        filter_row(bytes + y * row, y ? bytes + (y - 1) * row : nullptr, row, step, filtered.data());
-        deflate.add(filtered);
-    }
-    deflate.finish();
-    add_chunk(out, "IEND", {});
-    return out;
+PngEncoder::~PngEncoder() = default;
+
+void PngEncoder::add(std::string_view samples)
+{
+    state_->add(samples);
+}
+
+std::string PngEncoder::take()
+{
+    return std::exchange(state_->out, {});
+}
+
+std::string PngEncoder::finish()
+{
+    state_->deflate.finish();
+    add_chunk(state_->out, "IEND", {});
+    return take();
 }
 
 } // namespace clucida::host

@@ -1,6 +1,5 @@
 #include "host/render_output.h"
 
-#include "host/atomic_file.h"
 #include "host/errors.h"
 
 #include <fmt/format.h>
@@ -41,6 +40,31 @@ Output choose_output(const std::string& file, const std::string& format_out, con
     return out;
 }
 
+OutputStream::OutputStream(const Output& output, Shape size, const EncodeOptions& options)
+    : output_(output), size_(size), options_(options)
+{
+    require_encodable(size.width, size.height, output.format, options);
+}
+
+void OutputStream::add(unsigned y, std::span<const float> rgb)
+{
+    if (y == 0) { // the first time, or anew
+        writer_.reset();
+        file_.reset();
+        file_.emplace(output_.file);
+        writer_.emplace(size_.width, size_.height, output_.format, options_,
+                        [this](std::uint64_t offset, std::string_view bytes) { file_->write(offset, bytes); });
+    }
+    writer_->add(rgb);
+}
+
+void OutputStream::commit(const std::function<bool()>& cancelled)
+{
+    writer_->finish();
+    if (cancelled()) throw Interrupted();
+    file_->commit();
+}
+
 void write_output(const Output& output, const std::string& bytes)
 {
     if (output.file == "-")
@@ -49,16 +73,16 @@ void write_output(const Output& output, const std::string& bytes)
         write_file(output.file, bytes);
 }
 
-std::string timing_line(const std::string& name, const Frame& frame, unsigned samples, double total_seconds)
+std::string timing_line(const std::string& name, const Frame& frame, unsigned samples, const Stages& stages)
 {
     const Timings& t = frame.timings;
     return fmt::format("{}: {}x{}, {} sample{}, {:.2f} s (build {:.2f}, first launch {:.2f}, upload {:.3f}, trace "
                        "{:.3f}), {:.1f} Mrays/s",
-                       name, frame.picture.width, frame.picture.height, samples, samples == 1 ? "" : "s", total_seconds,
+                       name, frame.picture.width, frame.picture.height, samples, samples == 1 ? "" : "s", stages.total,
                        t.build, t.first_enqueue, t.upload, t.trace, rays_per_second(frame) / 1e6);
 }
 
-nlohmann::ordered_json frame_json(const Frame& frame, double total_seconds)
+nlohmann::ordered_json frame_json(const Frame& frame, const Stages& stages)
 {
     nlohmann::ordered_json statistics;
     for (const StatisticsField& f : statistics_fields()) statistics[f.name] = frame.statistics.*f.value;
@@ -72,11 +96,16 @@ nlohmann::ordered_json frame_json(const Frame& frame, double total_seconds)
             {"retries", frame.retries},
             {"capacities", {{"interior", needs.interior}, {"stack", needs.stack}, {"groups", needs.groups}}},
             {"seconds",
-             {{"total", total_seconds},
+             {{"total", stages.total},
+              {"read", stages.read},
+              {"compile", stages.compile},
+              {"devices", stages.devices},
+              {"context", stages.context},
               {"build", t.build},
               {"first_launch", t.first_enqueue},
               {"upload", t.upload},
-              {"trace", t.trace}}},
+              {"trace", t.trace},
+              {"write", t.rows + stages.write}}},
             {"rays_per_second", rays_per_second(frame)},
             {"statistics", std::move(statistics)}};
 }

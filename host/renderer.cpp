@@ -10,7 +10,6 @@ namespace clucida::host {
 namespace {
 
 constexpr unsigned most_capacity = 512;
-constexpr std::size_t most_tile_pixels = std::size_t{1} << 20;
 constexpr std::size_t dummy_bytes = 16; ///< of an empty buffer, which OpenCL does not have
 
 void require_room(const scene::Buffers& buffers, const DeviceInfo& device)
@@ -52,7 +51,7 @@ Shape tile_of(Tracer& tracer, const RenderSettings& settings)
     if (settings.tile) return round_up(*settings.tile, tracer.group);
     const double sample = measure_sample(tracer, settings.picture);
     const double pixel = sample * std::min(settings.samples, samples_per_launch);
-    return choose_tile(settings.picture, tracer.group, pixel, settings.launch_seconds, most_tile_pixels);
+    return choose_tile(settings.picture, tracer.group, pixel, {.seconds = settings.launch_seconds});
 }
 
 void render_once(Renderer& renderer, const DeviceBuffers& buffers, const RenderSettings& settings,
@@ -78,8 +77,9 @@ void render_once(Renderer& renderer, const DeviceBuffers& buffers, const RenderS
                                   frame.tile.width, frame.tile.height, tile_bytes, describe(renderer.device.info),
                                   allowed));
     frame.statistics = {};
+    frame.timings.rows = 0;
     trace_tiles(tracer, {settings.picture, frame.tile}, settings, hooks, frame);
-    frame.timings.trace += trace.seconds();
+    frame.timings.trace += trace.seconds() - frame.timings.rows;
     frame.timings.trace_cpu += trace_cpu.seconds();
 }
 
@@ -137,7 +137,8 @@ Frame render_frame(Renderer& renderer, const scene::Compiled& compiled, const Re
         Frame frame;
         frame.device = describe(renderer.device.info);
         frame.needs = compiled.needs;
-        frame.picture = make_picture(settings.picture.width, settings.picture.height);
+        frame.picture = {settings.picture.width, settings.picture.height, {}};
+        if (!hooks.rows) frame.picture = make_picture(settings.picture.width, settings.picture.height);
 
         const Stopwatch watch;
         const DeviceBuffers buffers = upload(renderer, compiled.buffers);

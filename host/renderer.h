@@ -12,6 +12,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 
 namespace clucida::host {
@@ -33,10 +34,11 @@ struct Timings {
     double upload = 0;        ///< the scene to the device, s
     double trace = 0;         ///< all launches and their results' way back, s
     double trace_cpu = 0;     ///< the time that this process's threads computed meanwhile, s
+    double rows = 0;          ///< what RenderHooks::rows took when all launches were done, s
 };
 
 struct Frame {
-    Picture picture;
+    Picture picture; ///< without pixels if RenderHooks::rows took them
     Statistics statistics;
     Timings timings;
     std::string device;
@@ -47,10 +49,13 @@ struct Frame {
     std::string note;     ///< something worth telling that is no error
 };
 
-/// Both may be empty.
+/// Each may be empty.
 struct RenderHooks {
-    std::function<void(double fraction)> progress; ///< after each launch, 0..1
-    std::function<bool()> cancelled;               ///< asked between launches
+    std::function<void(double fraction)> progress = {}; ///< after each launch, 0..1
+    std::function<bool()> cancelled = {};               ///< asked between launches
+    /// Takes the picture in bands of whole rows (as in Picture::rgb) from row y, in order from the top, so that memory
+    /// need not hold all of it. From 0 again if a capacity overflowed and the frame is rendered once more.
+    std::function<void(unsigned y, std::span<const float> rgb)> rows = {};
 };
 
 /// What stays the same from frame to frame: the device, its queue, the program of the last needs.

@@ -26,9 +26,17 @@ Shape round_up(Shape tile, Shape group);
 /// The work-group's shape: 16x4, halved until the device and the kernel can take it.
 Shape choose_group(std::size_t most_items);
 
-/// The shape of tile, a multiple of the group's, of at most most_pixels, of which a launch takes about
-/// budget_seconds when a pixel takes pixel_seconds. No larger than the picture needs.
-Shape choose_tile(Shape picture, Shape group, double pixel_seconds, double budget_seconds, std::size_t most_pixels);
+/// What a launch may be: about so many seconds and at most so many pixels, and a row of tiles, which is what leaves for
+/// the file at a time, as many pixels.
+struct TileLimits {
+    double seconds = 0.25;
+    std::size_t pixels = std::size_t{1} << 20;
+    std::size_t band_pixels = (std::size_t{64} << 20) / (3 * sizeof(float)); ///< 64 MiB
+};
+
+/// The shape of tile, a multiple of the group's, that keeps within the limits when a pixel takes pixel_seconds. No
+/// larger than the picture needs, no smaller than the group.
+Shape choose_tile(Shape picture, Shape group, double pixel_seconds, const TileLimits& limits);
 
 /// The grid of tiles over a picture, row by row.
 struct Tiling {

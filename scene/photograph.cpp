@@ -48,8 +48,8 @@ Texels from_stb(const stbi_uc* image, int width, int height)
 {
     Texels texels{static_cast<unsigned>(width), static_cast<unsigned>(height), {}};
     const std::size_t count = std::size_t{texels.width} * texels.height;
-    texels.rgb.reserve(count);
-    for (std::size_t i = 0; i < count; ++i, image += 3) texels.rgb.push_back(packed(image[0], image[1], image[2]));
+    texels.rgb.resize(count);
+    for (std::size_t i = 0; i < count; ++i) texels.rgb[i] = packed(image[3 * i], image[3 * i + 1], image[3 * i + 2]);
     return texels;
 }
 

@@ -97,6 +97,17 @@ class Cli(unittest.TestCase):
             out, _ = self.run_program(*arguments)
             self.assertIn(b"clucida", out)
 
+    def test_without_rendering_no_implementation_of_OpenCL_is_loaded(self):
+        os.mkdir(self.path("vendors"))  # of a library that does not exist: the loader would say so
+        with open(self.path("vendors/none.icd"), "w") as file:
+            file.write("libnone.so\n")
+        environment = {"OCL_ICD_VENDORS": self.path("vendors"), "OCL_ICD_DEBUG": "7", "LD_DEBUG": "files"}
+        for arguments in (["--version"], ["--help"], ["render", "--help"], ["inspect", "scene.clu"]):
+            _, err = self.run_program(*arguments, env=environment)
+            self.assertIn("libOpenCL", err)
+            self.assertNotIn("libnone", err)
+        self.assertIn("libnone", self.run_program("devices", code=1, env=environment)[1])
+
     def test_wrong_usage_ends_with_2(self):
         for arguments in (
             [],
@@ -160,6 +171,8 @@ class Cli(unittest.TestCase):
         self.assertEqual([o["name"] for o in found["objects"]], ["ball", "ground"])
         self.assertIn("transparent", found["features"])
         self.assertEqual(sum(found["buffers"].values()), found["total_bytes"])
+        self.assertEqual(found["kinds"]["spheres"], {"objects": 1, "bytes": found["objects"][0]["bytes"]})
+        self.assertEqual(sum(k["objects"] for k in found["kinds"].values()), 2)
 
     def test_inspect_prints_a_scene_that_reads_back(self):
         text, err = self.run_program("inspect", "scene.clu", "--print")
@@ -215,7 +228,10 @@ class Cli(unittest.TestCase):
     def test_json_holds_statistics_and_times(self):
         found = json.loads(self.render("--json", "-q", "--samples", "3")[0])
         self.assertEqual(found["statistics"]["primary"], 32 * 18 * 3)
-        self.assertGreater(found["seconds"]["trace"], 0)
+        seconds = found["seconds"]
+        self.assertGreater(seconds["trace"], 0)
+        self.assertGreater(seconds["devices"], 0)
+        self.assertLessEqual(sum(seconds.values()) - seconds["total"], seconds["total"])
         out, err = self.render("--json", "-q", "-o", "-")
         png_size_and_text(out)
         self.assertIn('"statistics"', err)
@@ -273,6 +289,31 @@ class Cli(unittest.TestCase):
             self.render("-o", "-", code=1, stdout=writing)
         finally:
             os.close(writing)
+
+    def peak_bytes(self, *arguments):
+        """The most memory that a run had, and its exit code."""
+        sanitizers = os.environ.get("ASAN_OPTIONS", "") + ":quarantine_size_mb=1"  # freed memory is not kept
+        process = self.start(*arguments, stdout=subprocess.DEVNULL, env={"ASAN_OPTIONS": sanitizers})
+        process.stderr.read()
+        process.stderr.close()
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        return usage.ru_maxrss * 1024, process.returncode
+
+    def test_memory_does_not_grow_with_the_picture(self):
+        with open(self.path("plain.clu"), "w") as file:
+            file.write("clucida 1\nobserver { eye [0, 0, 0]; look [0, 1, 0] }\nsky rgb\n")
+        render = ("render", "plain.clu", "--tile", "1024x64")
+        self.run_program(*render, "-s", "64x64", "-o", "warm.ppm")  # so that the kernel is compiled
+        small, _ = self.peak_bytes(*render, "-s", "64x64", "-o", "small.ppm")
+        side = 4096  # 192 MiB of floats, 48 MiB of bytes
+        for output in (["-o", "a.ppm"], ["-o", "a.pfm"], ["-o", "-", "--format-out", "ppm"]):
+            with self.subTest(output=output):
+                large, code = self.peak_bytes(*render, "-s", f"{side}x{side}", *output)
+                self.assertEqual(code, 0)
+                self.assertLess(large - small, 40 << 20)
+        with open(self.path("a.ppm"), "rb") as file:
+            self.assertEqual(len(file.read()), len(f"P6\n{side} {side}\n255\n") + side * side * 3)
 
     def test_an_interrupt_ends_with_130_and_leaves_no_file(self):
         self.render("-o", "warm.png")  # so that the kernel is compiled

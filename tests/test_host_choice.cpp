@@ -146,14 +146,27 @@ TEST(Tiling, a_tile_is_whole_groups_within_budget_and_memory)
     const Shape picture{1920, 1080}, group{16, 4};
     for (int power = -9; power < 1; ++power) {
         const double seconds = 0.7 * std::pow(10, power);
-        const Shape tile = choose_tile(picture, group, seconds, 0.25, 1U << 20);
+        const Shape tile = choose_tile(picture, group, seconds, {});
         EXPECT_EQ(tile.width % group.width, 0U);
         EXPECT_EQ(tile.height % group.height, 0U);
         EXPECT_LE(area(tile), std::size_t{1} << 20);
         EXPECT_TRUE(tile == group || static_cast<double>(area(tile)) * seconds <= 0.25) << seconds;
     }
-    EXPECT_EQ(choose_tile({100, 50}, group, 1e-7, 0.25, 1U << 20), (Shape{112, 52}));
-    EXPECT_EQ(choose_tile({1, 1}, group, 0, 0.25, 1U << 20), group);
+    EXPECT_EQ(choose_tile({100, 50}, group, 1e-7, {}), (Shape{112, 52}));
+    EXPECT_EQ(choose_tile({1, 1}, group, 0, {}), group);
+}
+
+TEST(Tiling, a_row_of_tiles_of_a_wide_picture_keeps_within_memory)
+{
+    const TileLimits limits;
+    for (const unsigned width : {4096U, 16384U, 65536U})
+        for (const double seconds : {0.0, 1e-8, 1e-6}) {
+            const Shape group{16, 4}, tile = choose_tile({width, 16384}, group, seconds, limits);
+            EXPECT_LE(std::size_t{width} * tile.height, limits.band_pixels);
+            EXPECT_LE(area(tile), limits.pixels);
+            EXPECT_GE(area(tile), std::min(1.0, 0.25 / seconds / limits.pixels) * limits.pixels * 0.9) << width;
+        }
+    EXPECT_EQ(choose_tile({65536, 16384}, {16, 4}, 0, {.band_pixels = 1}).height, 4U);
 }
 
 TEST(Tiling, tiles_cover_every_pixel_once)

@@ -98,6 +98,59 @@ TEST(Rendering, the_picture_is_the_same_to_the_byte_whatever_the_tiles)
     EXPECT_EQ(free.statistics.primary, std::uint64_t{75} * 53 * samples);
 }
 
+/// Collects bands, which must come in order.
+struct Bands {
+    std::vector<float> rgb;
+    unsigned begun = 0;
+    std::function<void(unsigned, std::span<const float>)> taker(unsigned width)
+    {
+        return [this, width](unsigned y, std::span<const float> band) {
+            if (y == 0) {
+                rgb.clear();
+                ++begun;
+            }
+            ASSERT_EQ(rgb.size(), std::size_t{3} * width * y);
+            rgb.insert(rgb.end(), band.begin(), band.end());
+        };
+    }
+};
+
+TEST(Rendering, rows_are_handed_over_in_order_and_are_those_of_the_whole_picture)
+{
+    const Shape size{75, 53};
+    const unsigned samples = samples_per_launch + 1;
+    const scene::Compiled scene = compiled(size, samples);
+    Renderer renderer = make_renderer(find_device(device_selector("")));
+    RenderSettings s = settings(size, samples);
+    const Frame whole = render_frame(renderer, scene, s);
+    for (const auto& [tile, in_flight] : {std::pair{Shape{75, 53}, 1U}, {{1, 1}, 3U}, {{33, 20}, 2U}, {{80, 8}, 5U}}) {
+        s.tile = tile;
+        s.in_flight = in_flight;
+        Bands bands;
+        const Frame cut = render_frame(renderer, scene, s, {.rows = bands.taker(size.width)});
+        EXPECT_EQ(bands.rgb, whole.picture.rgb) << tile.width << 'x' << tile.height;
+        EXPECT_EQ(bands.begun, 1U);
+        EXPECT_EQ(cut.picture.width, size.width);
+        EXPECT_TRUE(cut.picture.rgb.empty());
+    }
+}
+
+TEST(Rendering, rows_begin_anew_when_a_capacity_was_too_small)
+{
+    const Shape size{64, 48};
+    scene::Compiled scene = compiled(size, 1);
+    Renderer renderer = make_renderer(find_device(device_selector("")));
+    const Frame right = render_frame(renderer, scene, settings(size, 1));
+    scene.needs.stack = 1;
+    RenderSettings s = settings(size, 1);
+    s.tile = Shape{16, 16};
+    Bands bands;
+    const Frame frame = render_frame(renderer, scene, s, {.rows = bands.taker(size.width)});
+    EXPECT_GT(frame.retries, 0U);
+    EXPECT_EQ(bands.begun, frame.retries + 1);
+    EXPECT_EQ(bands.rgb, right.picture.rgb);
+}
+
 TEST(Rendering, a_second_frame_of_the_same_needs_is_not_compiled_again)
 {
     const Shape size{16, 16};

@@ -3,8 +3,10 @@
 #include "host/program_cache.h"
 #include "host/sha256.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -53,6 +55,57 @@ TEST_F(Files, a_disk_that_is_full_leaves_the_old_file_and_no_part_of_the_new)
     std::signal(SIGXFSZ, handler);
     EXPECT_EQ(read_file(folder / "a"), "old");
     EXPECT_EQ(count(), 1U);
+}
+
+TEST_F(Files, a_pending_file_appears_when_it_is_committed_with_each_byte_in_its_place)
+{
+    write_file(folder / "a", "the old one");
+    PendingFile file(folder / "a");
+    file.write(3, "def");
+    file.write(0, "abc");
+    EXPECT_EQ(read_file(folder / "a"), "the old one");
+    file.commit();
+    EXPECT_EQ(read_file(folder / "a"), "abcdef");
+    EXPECT_EQ(count(), 1U);
+}
+
+TEST_F(Files, a_pending_file_that_is_given_up_leaves_nothing)
+{
+    {
+        PendingFile file(folder / "a");
+        file.write(0, "abc");
+        EXPECT_EQ(count(), 1U);
+    }
+    EXPECT_EQ(count(), 0U);
+    EXPECT_THROW(PendingFile(folder / "none" / "a"), Failure);
+}
+
+TEST_F(Files, a_pipe_is_given_nothing_before_all_is_there)
+{
+    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+    const int reader = ::open((folder / "pipe").c_str(), O_RDONLY | O_NONBLOCK);
+    ASSERT_GE(reader, 0);
+    PendingFile file(folder / "pipe");
+    file.write(1, "bc");
+    char bytes[4] = {};
+    EXPECT_EQ(::read(reader, bytes, sizeof bytes), 0);
+    file.write(0, "a");
+    file.commit();
+    EXPECT_EQ(::read(reader, bytes, sizeof bytes), 3);
+    EXPECT_STREQ(bytes, "abc");
+    ::close(reader);
+    EXPECT_EQ(count(), 1U);
+}
+
+TEST_F(Files, where_no_temporary_file_can_be_made_memory_takes_its_place)
+{
+    ::setenv("TMPDIR", (folder / "none").c_str(), 1);
+    EXPECT_NO_THROW({
+        PendingFile file("/dev/null");
+        file.write(0, "x");
+        file.commit();
+    });
+    ::unsetenv("TMPDIR");
 }
 
 TEST_F(Files, a_full_device_is_an_error_that_says_so)

@@ -1,9 +1,10 @@
 #include "host/compare.h"
 #include "host/errors.h"
-#include "host/picture_file.h"
+#include "host/picture_writer.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -130,6 +131,46 @@ TEST(PictureFile, png_holds_its_text_and_the_same_input_gives_the_same_bytes)
     EXPECT_EQ(bytes, encode(ramp(9, 9), FileFormat::png, o));
 }
 
+TEST(PictureFile, it_is_the_same_to_the_byte_whatever_bands_its_rows_come_in)
+{
+    const auto written = [](const Picture& p, FileFormat format, const EncodeOptions& options, std::size_t rows) {
+        std::string out;
+        PictureWriter writer(p.width, p.height, format, options, [&](std::uint64_t offset, std::string_view bytes) {
+            out.resize(std::max<std::size_t>(out.size(), offset + bytes.size()));
+            out.replace(offset, bytes.size(), bytes);
+        });
+        const std::span<const float> all(p.rgb);
+        const std::size_t band = rows * 3 * p.width;
+        for (std::size_t at = 0; at < all.size(); at += band)
+            writer.add(all.subspan(at, std::min(band, all.size() - at)));
+        writer.finish();
+        return out;
+    };
+    for (const auto& [width, height] : {std::pair{1U, 1U}, {1U, 7U}, {37U, 23U}, {700U, 600U}}) {
+        const Picture p = ramp(width, height);
+        for (const FileFormat format :
+             {FileFormat::png, FileFormat::jpeg, FileFormat::hdr, FileFormat::pfm, FileFormat::ppm})
+            for (const unsigned depth : {8U, 16U}) {
+                const EncodeOptions options{.depth = depth, .metadata = {{"Command", "a"}}};
+                if (depth == 16 && format != FileFormat::png && format != FileFormat::ppm) continue;
+                const std::string whole = encode(p, format, options);
+                for (const std::size_t rows : {1, 5, 599})
+                    EXPECT_TRUE(written(p, format, options, rows) == whole)
+                        << width << 'x' << height << ", format " << static_cast<int>(format) << ", bands of " << rows;
+            }
+    }
+}
+
+TEST(PictureFile, a_radiance_picture_begins_with_the_size_of_all_its_bands)
+{
+    const std::string bytes = encode(ramp(700, 600), FileFormat::hdr);
+    const std::size_t end = bytes.find("\n\n");
+    ASSERT_NE(end, std::string::npos);
+    EXPECT_EQ(bytes.substr(0, 11), "#?RADIANCE\n");
+    EXPECT_EQ(bytes.substr(end + 2, 15), "-Y 600 +X 700\n\x02");
+    EXPECT_EQ(bytes.find("RADIANCE", 11), std::string::npos);
+}
+
 TEST(PictureFile, the_ending_decides_whatever_its_case)
 {
     EXPECT_EQ(file_format("a/b.PNG"), FileFormat::png);
@@ -145,6 +186,8 @@ TEST(PictureFile, what_a_format_cannot_hold_is_refused)
     EXPECT_THROW(require_encodable(1, 1, FileFormat::jpeg, {.depth = 16}), UsageError);
     EXPECT_THROW(require_encodable(1, 1, FileFormat::jpeg, {.quality = 0}), UsageError);
     EXPECT_THROW(require_encodable(65536, 1, FileFormat::jpeg, {}), UsageError);
+    EXPECT_THROW(require_encodable(32768, 32768, FileFormat::jpeg, {}), UsageError);
+    EXPECT_NO_THROW(require_encodable(16384, 16384, FileFormat::jpeg, {}));
 }
 
 TEST(PictureFile, what_is_no_picture_is_refused_not_read)
