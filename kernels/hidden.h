@@ -40,11 +40,7 @@ INLINED int is_hidden(World* world, const Ray* ray, real distance)
         if (c.sure && c.t + c.tolerance < distance) return 1;
         if (c.t - c.tolerance <= distance) sure = 0;
     }
-    if (sure) return 0;
-    World full = *world;
-    const int hidden = is_hidden_in_full(&full, ray, distance);
-    take_counts(world, &full);
-    return hidden;
+    return sure ? 0 : is_hidden_in_full(world, ray, distance);
 }
 #endif
 

@@ -31,11 +31,7 @@ static CALLED u32 full_medium_at_start(World* world, const Ray* ray)
 INLINED u32 medium_at_start(World* world, const Ray* ray)
 {
     u32 medium;
-    if (quick_medium(world, ray, R(0), VACUUM, &medium)) return medium;
-    World full = *world;
-    medium = full_medium_at_start(&full, ray);
-    take_counts(world, &full);
-    return medium;
+    return quick_medium(world, ray, R(0), VACUUM, &medium) ? medium : full_medium_at_start(world, ray);
 }
 
 /* The ray through pixel (i, j), and the medium of its start. */

@@ -87,37 +87,27 @@ INLINED QuickSpan quick_complement(QuickSpan s)
     return s;
 }
 
-/* Whether a member is a sphere. */
-INLINED int is_sphere(u32 member)
-{
-    return (member & MEMBER_KIND) == MEMBER_SPHERE;
-}
-
-/* The intersection of a group's members: a sphere, which is likely to hold all the rest, then the planes. */
-INLINED QuickSpan quick_members(const World* world, __global const LayoutGroup* group, const QuickLine* line)
-{
-    QuickSpan s = quick_span(-INFINITE, INFINITE, 0, 1);
-    u32 i = 0;
-    if (group->single && is_sphere(world->members[group->begin])) {
-        s = quick_member(world, world->members[group->begin], line);
-        i = 1;
-    }
-#ifdef CLU_PLANE
-    for (u32 k = 0; k < group->block_count && s.lo < s.hi; k++)
-        quick_block(&world->blocks[group->block_begin + k], group->block_begin + k, line, &s);
-#endif
-    for (; i < group->single && s.lo < s.hi; i++) {
-        const QuickSpan m = quick_member(world, world->members[group->begin + i], line);
-        quick_cut(&s, &m);
-    }
-    return s;
-}
-
-/* A group's span; one that does not keep has two ends. */
+/* A group's span; one that does not keep has two ends. Of several members a sphere comes first, which is likely to hold
+ * all the rest, then the planes. */
 INLINED QuickSpan quick_group(const World* world, __global const LayoutGroup* group, const QuickLine* line)
 {
-    QuickSpan s =
-        group->count == 1 ? quick_member(world, world->members[group->begin], line) : quick_members(world, group, line);
+    const u32 single = group->single;
+    QuickSpan s = quick_span(-INFINITE, INFINITE, 0, 1);
+#ifdef CLU_PLANE
+    u32 blocks_at = single && (world->members[group->begin] & MEMBER_KIND) == MEMBER_SPHERE ? 1u : 0u;
+    for (u32 i = 0; i <= single && s.lo < s.hi; i++) {
+        for (u32 k = 0; i == blocks_at && k < group->block_count && s.lo < s.hi; k++)
+            quick_block(&world->blocks[group->block_begin + k], group->block_begin + k, line, &s);
+        if (i == single) break;
+#else
+    for (u32 i = 0; i < single && s.lo < s.hi; i++) {
+#endif
+        const QuickSpan m = quick_member(world, world->members[group->begin + i], line);
+        if (group->count == 1)
+            s = m;
+        else
+            quick_cut(&s, &m);
+    }
     if (fabs(s.hi - s.lo) < line->tolerance) {
         s.lo -= line->tolerance;
         s.hi += line->tolerance;
@@ -211,7 +201,7 @@ INLINED int quick_exit(const QuickSolid* solid, real from, real tolerance, Quick
 }
 
 /* Where a ray crosses an object's boundary: 0 if nowhere. inside: whether it starts inside. */
-INLINED int quick_crossing(const World* world, u32 id, const Ray* ray, int inside, QuickCrossing* c)
+static CALLED int quick_crossing(const World* world, u32 id, const Ray* ray, int inside, QuickCrossing* c)
 {
     __global const LayoutObject* object = &world->objects[id];
     const QuickLine line = quick_line(ray, object);
@@ -244,7 +234,7 @@ INLINED int quick_crossing(const World* world, u32 id, const Ray* ray, int insid
 }
 
 /* Whether the object holds the point just after ray parameter t: 1 or 0, or -1 if that is not sure. */
-INLINED int quick_holds(const World* world, u32 id, const Ray* ray, real t)
+static CALLED int quick_holds(const World* world, u32 id, const Ray* ray, real t)
 {
     __global const LayoutObject* object = &world->objects[id];
     const QuickLine line = quick_line(ray, object);
@@ -284,13 +274,12 @@ INLINED QuickCrossing quick_nearest(World* world, const Ray* ray, u32 medium)
     best.tolerance = R(0);
     best.sure = QUICK;
     if (!QUICK) best.t = R(0);
-    if (medium != VACUUM) quick_try(world, medium, ray, 1, &best);
     Walk walk;
     walk_begin(&walk, ray);
-    while (best.sure || best.t > best.tolerance) {
-        const u32 id = walk_next(&walk, world, -ray->err, best.t + best.tolerance);
+    for (int inside = medium != VACUUM; best.sure || best.t > best.tolerance; inside = 0) {
+        const u32 id = inside ? medium : walk_next(&walk, world, -ray->err, best.t + best.tolerance);
         if (id == WALK_DONE) break;
-        if (id < medium) quick_try(world, id, ray, 0, &best);
+        if (inside || id < medium) quick_try(world, id, ray, inside, &best);
     }
     return best;
 }

@@ -11,7 +11,9 @@
 #include "kernels/native.h"
 #endif
 
-/* On every ray's way: never a call. The full search, which few rays need, is one: it would crowd the rest out. */
+/* Small and on every ray's way; or so large that a copy of it at each of its calls is not worth what it costs to
+ * compile.
+ */
 #define INLINED static inline __attribute__((always_inline))
 #define CALLED __attribute__((noinline))
 

@@ -102,13 +102,7 @@ INLINED int next_surface(World* world, const Ray* ray, u32 medium, Surface* surf
 {
     COUNT(world, STAT_QUERIES);
     const int found = quick_surface(world, ray, medium, surface);
-    if (found >= 0) return found;
-    World full = *world;
-    Surface by_full;
-    const int found_by_full = full_surface(&full, ray, medium, &by_full);
-    take_counts(world, &full);
-    *surface = by_full;
-    return found_by_full;
+    return found < 0 ? full_surface(world, ray, medium, surface) : found;
 }
 
 #endif

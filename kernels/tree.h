@@ -68,19 +68,25 @@ INLINED void walk_open(Walk* walk, __global const LayoutNode* node, real from, r
 
 /* The next object whose box is met between ray parameters from and to, or WALK_DONE. */
 #define WALK_DONE 0xffffffffu
-INLINED u32 walk_next(Walk* walk, const World* world, real from, real to)
+static CALLED u32 walk_next(Walk* walk, const World* world, real from, real to)
 {
     __global const LayoutFrame* frame = world->frame;
     for (;;) {
-        while (walk->next_root < frame->root_count &&
-               (walk->count == 0 || walk->count + frame->walk_reserve + LANES <= CLU_WALK_CAPACITY))
-            walk_open(walk, &world->nodes[walk->next_root++], from, to, 0);
-        if (walk->count == 0) return WALK_DONE;
-        walk->count--;
-        if (!(walk->near[walk->count] <= to)) continue;
-        const u32 ref = walk->refs[walk->count];
-        if (!(ref & NODE_INNER)) return ref;
-        walk_open(walk, &world->nodes[ref & ~NODE_INNER], from, to, walk->count);
+        /* A root while there is room for all that it can bring; else what waits. */
+        u32 node, base = 0;
+        if (walk->next_root < frame->root_count &&
+            (walk->count == 0 || walk->count + frame->walk_reserve + LANES <= CLU_WALK_CAPACITY)) {
+            node = walk->next_root++;
+        } else {
+            if (walk->count == 0) return WALK_DONE;
+            walk->count--;
+            if (!(walk->near[walk->count] <= to)) continue;
+            const u32 ref = walk->refs[walk->count];
+            if (!(ref & NODE_INNER)) return ref;
+            node = ref & ~NODE_INNER;
+            base = walk->count;
+        }
+        walk_open(walk, &world->nodes[node], from, to, base);
     }
 }
 

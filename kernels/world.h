@@ -41,12 +41,6 @@ typedef struct {
 
 #define COUNT(world, stat) ((world)->stats[stat]++)
 
-/* The full search has a copy of the world, so that this one need not lie in memory: what that has counted. */
-INLINED void take_counts(World* world, const World* copy)
-{
-    for (u32 i = 0; i < STAT_COUNT; i++) world->stats[i] = copy->stats[i];
-}
-
 /* A ray. It may have left a surface: then left names the primitive and left_inside tells on which side of it the ray
  * goes (known from the event, never recomputed). err bounds the error of o's distance from any surface it lies on. */
 typedef struct {
