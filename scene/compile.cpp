@@ -104,7 +104,7 @@ Compiled compile(const Scene& scene, const View& view)
     if (view.as_original == AsOriginal::gun) compiled.needs.features |= feature_as_gun;
     if (view.as_original == AsOriginal::rayt) compiled.needs.features |= feature_as_rayt;
     compiled.interior_bound = objects.most_overlapping;
-    compiled.needs.interior = capacity_class(objects.most_overlapping, 8);
+    compiled.needs.interior = capacity_class(objects.most_overlapping, 64);
     compiled.needs.stack = stack_class(compiled.needs.features, frame.max_hops);
     compiled.needs.walk = capacity_class(tree.stack, 1u << 16);
     compiled.needs.groups = capacity_class(objects.most_groups, 1u << 16);
