@@ -112,10 +112,12 @@ private:
 
 struct PngEncoder::State {
     std::size_t step, row; ///< bytes of a pixel and of a row
-    std::string out = {};
-    std::string above = {}; ///< the row before, empty at the top
-    std::vector<Bytef> filtered = std::vector<Bytef>(row + 1);
+    std::string out;
+    std::string above; ///< the row before, empty at the top
+    std::vector<Bytef> filtered;
     Deflate deflate{out};
+
+    State(std::size_t step, std::size_t row) : step(step), row(row), filtered(row + 1) {}
 
     void add(std::string_view samples)
     {
@@ -133,7 +135,7 @@ struct PngEncoder::State {
 PngEncoder::PngEncoder(unsigned width, unsigned height, const EncodeOptions& options)
 {
     const std::size_t step = std::size_t{3} * options.depth / 8;
-    state_.reset(new State{step, step * width});
+    state_ = std::make_unique<State>(step, step * width);
     std::string& out = state_->out;
     out = "\x89PNG\r\n\x1a\n";
     std::string header;

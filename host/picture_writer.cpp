@@ -73,8 +73,13 @@ struct PictureWriter::State {
     PutBytes put;
     std::uint64_t offset = 0; ///< where the file goes on
     std::size_t rows = 0;     ///< that were added
-    std::optional<PngEncoder> png = std::nullopt;
-    std::string jpeg = {}; ///< samples of the rows that were added
+    std::optional<PngEncoder> png;
+    std::string jpeg; ///< samples of the rows that were added
+
+    State(unsigned width, unsigned height, FileFormat format, EncodeOptions options, PutBytes put)
+        : width(width), height(height), format(format), options(std::move(options)), put(std::move(put))
+    {
+    }
 
     void append(std::string_view bytes)
     {
@@ -140,7 +145,7 @@ PictureWriter::PictureWriter(unsigned width, unsigned height, FileFormat format,
                              PutBytes put)
 {
     require_encodable(width, height, format, options);
-    state_.reset(new State{width, height, format, options, std::move(put)});
+    state_ = std::make_unique<State>(width, height, format, options, std::move(put));
     state_->begin();
 }
 

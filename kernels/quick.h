@@ -19,7 +19,6 @@ typedef struct {
     real t, tolerance;
     u32 object;
     u32 face; /* as QuickSpan's */
-    int at_hi;
     int sure;
 } QuickCrossing;
 
@@ -136,11 +135,10 @@ INLINED int quick_unsure(QuickCrossing* c, real at)
     return 1;
 }
 
-INLINED int quick_end(QuickCrossing* c, real at, u32 face, int at_hi)
+INLINED int quick_end(QuickCrossing* c, real at, u32 face)
 {
     c->t = at;
     c->face = face;
-    c->at_hi = at_hi;
     c->sure = 1;
     return 1;
 }
@@ -152,7 +150,7 @@ INLINED int quick_entry(const QuickSolid* solid, real from, real tolerance, Quic
     if (whole->hi < from - tolerance || (whole->marks & QUICK_LEFT_HI && whole->hi == from)) return 0;
     if (whole->marks & QUICK_VAGUE || whole->hi < larger(whole->lo, from) + tolerance)
         return quick_unsure(c, larger(smaller(whole->lo, whole->hi) - tolerance, from));
-    quick_end(c, whole->lo, whole->face_lo, 0);
+    quick_end(c, whole->lo, whole->face_lo);
     /* Within the whole the ray must begin in a gap. */
     int in_gap = whole->lo > from + tolerance;
     if (!in_gap) {
@@ -166,7 +164,7 @@ INLINED int quick_entry(const QuickSolid* solid, real from, real tolerance, Quic
         const int left = c->t == from && g->lo == from && g->marks & QUICK_LEFT_LO;
         if (g->marks & QUICK_VAGUE || g->hi < c->t + tolerance || (g->lo > c->t - tolerance && !left))
             return quick_unsure(c, c->t);
-        quick_end(c, g->hi, g->face_hi, 1);
+        quick_end(c, g->hi, g->face_hi);
         in_gap = 1;
         gap = i;
         i = 0xffffffffu; /* others may begin within this one */
@@ -182,7 +180,7 @@ INLINED int quick_exit(const QuickSolid* solid, real from, real tolerance, Quick
     const QuickSpan* whole = &solid->whole;
     if (whole->marks & QUICK_VAGUE || whole->lo > from + tolerance || !(whole->hi > from + tolerance))
         return quick_unsure(c, from);
-    quick_end(c, whole->hi, whole->face_hi, 1);
+    quick_end(c, whole->hi, whole->face_hi);
     real second = INFINITE;
     for (u32 i = 0; i < solid->gap_count; i++) {
         const QuickSpan* g = &solid->gaps[i];
@@ -192,7 +190,7 @@ INLINED int quick_exit(const QuickSolid* solid, real from, real tolerance, Quick
             second = smaller(second, g->lo);
         } else if (g->lo < c->t) {
             second = smaller(second, c->t);
-            quick_end(c, g->lo, g->face_lo, 0);
+            quick_end(c, g->lo, g->face_lo);
         } else {
             second = smaller(second, g->lo);
         }
@@ -314,9 +312,11 @@ INLINED int confirm(const World* world, const Ray* ray, const QuickCrossing* qui
     else
 #endif
         span = member_span(world, quick->face & ~MEMBER_INVERSE, &line);
-    crossing->at = quick->at_hi ? span.hi : span.lo;
-    crossing->slope = quick->at_hi ? span.slope_hi : span.slope_lo;
-    crossing->face = (quick->at_hi ? span.face_hi : span.face_lo) | (quick->face & MEMBER_INVERSE);
+    const real at = quick->t + line.start;
+    const int at_hi = fabs(span.hi - at) < fabs(span.lo - at);
+    crossing->at = at_hi ? span.hi : span.lo;
+    crossing->slope = at_hi ? span.slope_hi : span.slope_lo;
+    crossing->face = (at_hi ? span.face_hi : span.face_lo) | (quick->face & MEMBER_INVERSE);
     crossing->t = crossing->at - line.start;
     crossing->err = crossing_error(&line, crossing);
     return fabs(crossing->t - quick->t) <= quick->tolerance;

@@ -135,6 +135,7 @@ std::vector<Items> parts_of(Items items)
         parts.push_back({b, area(around(b))});
     }
     std::vector<Items> out;
+    out.reserve(parts.size());
     for (const Part& part : parts) out.push_back(part.items);
     return out;
 }
