@@ -153,6 +153,7 @@ PictureWriter::~PictureWriter() = default;
 
 void PictureWriter::add(std::span<const float> rgb)
 {
+    if (rgb.empty()) return; // as all rows of a picture without columns are
     const std::size_t row = std::size_t{3} * state_->width;
     const std::size_t slice = std::max<std::size_t>(slice_pixels / state_->width, 1) * row;
     for (; !rgb.empty(); rgb = rgb.subspan(std::min(slice, rgb.size())))
