@@ -18,7 +18,7 @@ namespace {
 
 struct RenderOptions {
     SceneOptions scene;
-    std::string output, format_out, size = "640x360", tile, device, precision = "float";
+    std::string output, format_out, size = "640x360", tile, device, precision = "float", kernel = "auto";
     unsigned samples = 1, depth = 8, quality = 90;
     std::optional<unsigned> max_hops;
     std::optional<double> cutoff;
@@ -74,6 +74,7 @@ void run(const RenderOptions& o)
     settings.picture = size;
     settings.samples = o.samples;
     settings.precision = o.precision == "double" ? Precision::twofold : Precision::single;
+    if (o.kernel != "auto") settings.kernel = o.kernel == "packets" ? KernelShape::packets : KernelShape::pixels;
     settings.cache = o.no_kernel_cache ? KernelCache::off : KernelCache::automatic;
     if (!o.tile.empty()) settings.tile = parse_size(o.tile, "the tile's size");
 
@@ -146,6 +147,11 @@ void add_tracing_options(CLI::App& command, RenderOptions& o)
         ->option_text("X");
     command.add_option("--precision", o.precision, "float or double")
         ->check(CLI::IsMember({"float", "double"}))
+        ->option_text("NAME");
+    command
+        .add_option("--kernel", o.kernel,
+                    "pixels (a work-item each, for GPUs), packets (of eight rays, for CPUs), or auto: as the device is")
+        ->check(CLI::IsMember({"auto", "pixels", "packets"}))
         ->option_text("NAME");
     command.add_option("--device", o.device, "P:D (see `clucida devices`), a part of a name, cpu or gpu")
         ->option_text("WHICH");

@@ -49,6 +49,7 @@ DeviceInfo info_of(const cl::Platform& platform, const cl::Device& device)
     i.global_bytes = info_or_default<CL_DEVICE_GLOBAL_MEM_SIZE>(device);
     i.max_allocation_bytes = info_or_default<CL_DEVICE_MAX_MEM_ALLOC_SIZE>(device);
     i.max_group = info_or_default<CL_DEVICE_MAX_WORK_GROUP_SIZE>(device);
+    i.float_lanes = info_or_default<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>(device);
     i.usable = info_or_default<CL_DEVICE_AVAILABLE>(device) && info_or_default<CL_DEVICE_COMPILER_AVAILABLE>(device);
     i.has_double = info_or_default<CL_DEVICE_DOUBLE_FP_CONFIG>(device) != 0;
     i.rounds_division =

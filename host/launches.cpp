@@ -46,8 +46,9 @@ void enqueue(Tracer& t, Lane& lane, Shape tile, unsigned x0, unsigned y0)
     t.kernel.setArg(argument++, cl_uint{lane.samples_end});
     t.kernel.setArg(argument++, lane.tile);
     t.kernel.setArg(argument, lane.stats);
-    t.queue.enqueueNDRangeKernel(t.kernel, cl::NullRange, cl::NDRange(tile.width, tile.height),
-                                 cl::NDRange(t.group.width, t.group.height));
+    t.queue.enqueueNDRangeKernel(t.kernel, cl::NullRange,
+                                 cl::NDRange(tile.width / t.block.width, tile.height / t.block.height),
+                                 cl::NDRange(t.items.width, t.items.height));
 }
 
 void enqueue_results(Tracer& t, Lane& lane, bool with_tile)
@@ -127,14 +128,14 @@ struct FinishBeforeLeaving {
 
 void warm_up(Tracer& tracer)
 {
-    Lane lane = make_lane(tracer.context, tracer.group);
-    enqueue(tracer, lane, tracer.group, 0, 0);
+    Lane lane = make_lane(tracer.context, tracer.group());
+    enqueue(tracer, lane, tracer.group(), 0, 0);
     tracer.queue.finish();
 }
 
 double measure_sample(Tracer& tracer, Shape picture)
 {
-    const Shape tile = round_up({std::min(picture.width, 32u), std::min(picture.height, 32u)}, tracer.group);
+    const Shape tile = round_up({std::min(picture.width, 32u), std::min(picture.height, 32u)}, tracer.group());
     Lane lane = make_lane(tracer.context, tile);
     lane.samples_end = 1;
     double most = 0;

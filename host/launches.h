@@ -11,7 +11,10 @@ struct Tracer {
     const cl::Context& context;
     const cl::CommandQueue& queue;
     cl::Kernel& kernel;
-    Shape group;
+    Shape items; ///< of a work-group
+    Shape block; ///< pixels of an item
+    /// The pixels of a work-group.
+    Shape group() const { return {items.width * block.width, items.height * block.height}; }
 };
 
 /// Launches the kernel for no samples at all and waits, so that whatever the implementation does at first is done.

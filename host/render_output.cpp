@@ -89,6 +89,7 @@ nlohmann::ordered_json frame_json(const Frame& frame, const Stages& stages)
     const Timings& t = frame.timings;
     const scene::Needs& needs = frame.needs;
     return {{"device", frame.device},
+            {"kernel", frame.kernel == KernelShape::packets ? "packets" : "pixels"},
             {"width", frame.picture.width},
             {"height", frame.picture.height},
             {"tile", fmt::format("{}x{}", frame.tile.width, frame.tile.height)},

@@ -10,6 +10,8 @@ namespace clucida::host {
 namespace {
 
 constexpr unsigned most_capacity = 512;
+constexpr Shape packet_block{32, 32}; ///< PACKET_TILE (kernels/packets/stacks.h)
+constexpr unsigned packet_lanes = 8;
 constexpr std::size_t dummy_bytes = 16; ///< of an empty buffer, which OpenCL does not have
 
 void require_room(const scene::Buffers& buffers, const DeviceInfo& device)
@@ -28,14 +30,16 @@ void require_room(const scene::Buffers& buffers, const DeviceInfo& device)
 /// The program of these needs: the one at hand, or a new one.
 void prepare_program(Renderer& renderer, const scene::Needs& needs, const RenderSettings& settings, Frame& frame)
 {
-    const bool at_hand =
-        renderer.program.handle() && renderer.needs == needs && renderer.precision == settings.precision;
+    const bool at_hand = renderer.program.handle() && renderer.needs == needs &&
+                         renderer.precision == settings.precision && renderer.kernel == frame.kernel;
     if (at_hand) return;
     const std::string options = variant_options(needs, settings.precision, renderer.device.info);
-    renderer.program = build_program(renderer.context, renderer.device,
-                                     resolve_includes("kernels/render.cl", settings.kernels), options, settings.cache);
+    const char* entry = frame.kernel == KernelShape::packets ? "kernels/render_packets.cl" : "kernels/render.cl";
+    renderer.program = build_program(renderer.context, renderer.device, resolve_includes(entry, settings.kernels),
+                                     options, settings.cache);
     renderer.needs = needs;
     renderer.precision = settings.precision;
+    renderer.kernel = frame.kernel;
     frame.timings.build += renderer.program.build_seconds;
     frame.note = renderer.program.note;
 }
@@ -48,10 +52,11 @@ Shape group_of(const cl::Kernel& kernel, const Device& device)
 
 Shape tile_of(Tracer& tracer, const RenderSettings& settings)
 {
-    if (settings.tile) return round_up(*settings.tile, tracer.group);
+    const Shape group = tracer.group();
+    if (settings.tile) return round_up(*settings.tile, group);
     const double sample = measure_sample(tracer, settings.picture);
     const double pixel = sample * std::min(settings.samples, samples_per_launch);
-    return choose_tile(settings.picture, tracer.group, pixel, {.seconds = settings.launch_seconds});
+    return choose_tile(settings.picture, group, pixel, {.seconds = settings.launch_seconds});
 }
 
 void render_once(Renderer& renderer, const DeviceBuffers& buffers, const RenderSettings& settings,
@@ -60,7 +65,11 @@ void render_once(Renderer& renderer, const DeviceBuffers& buffers, const RenderS
     prepare_program(renderer, frame.needs, settings, frame);
     cl::Kernel kernel(renderer.program.handle, "render");
     for (cl_uint i = 0; i < BUFFER_COUNT; ++i) kernel.setArg(i, buffers[i]);
-    Tracer tracer{renderer.context, renderer.queue, kernel, group_of(kernel, renderer.device)};
+    Tracer tracer{renderer.context, renderer.queue, kernel, {1, 1}, packet_block};
+    if (frame.kernel == KernelShape::pixels) {
+        tracer.items = group_of(kernel, renderer.device);
+        tracer.block = {1, 1};
+    }
 
     const Stopwatch first;
     warm_up(tracer);
@@ -84,6 +93,12 @@ void render_once(Renderer& renderer, const DeviceBuffers& buffers, const RenderS
 }
 
 } // namespace
+
+KernelShape kernel_shape(const DeviceInfo& device)
+{
+    const bool wide = device.kind == DeviceKind::cpu && device.float_lanes >= packet_lanes;
+    return wide ? KernelShape::packets : KernelShape::pixels;
+}
 
 void enqueue_each(const Renderer& renderer, const cl::Kernel& kernel, std::size_t count)
 {
@@ -137,6 +152,7 @@ Frame render_frame(Renderer& renderer, const scene::Compiled& compiled, const Re
         Frame frame;
         frame.device = describe(renderer.device.info);
         frame.needs = compiled.needs;
+        frame.kernel = settings.kernel.value_or(kernel_shape(renderer.device.info));
         frame.picture = {settings.picture.width, settings.picture.height, {}};
         if (!hooks.rows) frame.picture = make_picture(settings.picture.width, settings.picture.height);
 

@@ -17,11 +17,19 @@
 
 namespace clucida::host {
 
+/// The two kernels that render: a work-item for each pixel, which traces one ray at a time; or one for each block of
+/// pixels, which traces packets of rays side by side in the registers of a CPU with wide vectors.
+enum class KernelShape { pixels, packets };
+
+/// The one that is made for the device.
+KernelShape kernel_shape(const DeviceInfo& device);
+
 struct RenderSettings {
     Shape picture;        ///< as the scene was compiled for
     unsigned samples = 1; ///< of a pixel, likewise
     Precision precision = Precision::single;
     KernelCache cache = KernelCache::automatic;
+    std::optional<KernelShape> kernel;   ///< else the one that is made for the device
     std::optional<Shape> tile;           ///< else chosen by measuring; rounded up to whole work-groups
     double launch_seconds = 0.25;        ///< what a launch may take, when the tile is chosen
     unsigned in_flight = 3;              ///< launches given to the device before the first is waited for
@@ -42,6 +50,7 @@ struct Frame {
     Statistics statistics;
     Timings timings;
     std::string device;
+    KernelShape kernel = KernelShape::pixels;
     Shape tile;
     std::size_t launches = 0;
     unsigned retries = 0; ///< renderings that a capacity proved too small for
@@ -66,6 +75,7 @@ struct Renderer {
     Program program;
     scene::Needs needs; ///< of the program; meaningless while it is empty
     Precision precision = Precision::single;
+    KernelShape kernel = KernelShape::pixels;
 };
 
 /// @throws Failure

@@ -23,7 +23,7 @@ constexpr unsigned samples_per_launch = 16;
 /// The next multiple of the work-group's shape.
 Shape round_up(Shape tile, Shape group);
 
-/// The work-group's shape: 16x4, halved until the device and the kernel can take it.
+/// The shape of a work-group of one-pixel items: 16x4, halved until the device and the kernel can take it.
 Shape choose_group(std::size_t most_items);
 
 /// What a launch may be: about so many seconds and at most so many pixels, and a row of tiles, which is what leaves for

@@ -1,6 +1,6 @@
 # cmake -DKERNELS=folder -DTABLE=name -DOUT=file.cpp -P embed.cmake: writes a table of the folder's kernel files,
 # path, text, path, text, ..., nullptr. Paths are written as the kernels include each other: "kernels/vec.h".
-file(GLOB files LIST_DIRECTORIES false ${KERNELS}/*.h ${KERNELS}/solids/*.h ${KERNELS}/*.cl ${KERNELS}/*.c)
+file(GLOB files LIST_DIRECTORIES false ${KERNELS}/*.h ${KERNELS}/solids/*.h ${KERNELS}/packets/*.h ${KERNELS}/*.cl ${KERNELS}/*.c)
 list(SORT files)
 
 set(table "// Made by kernels/embed.cmake.\nextern const char* const ${TABLE}[];\n")

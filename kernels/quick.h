@@ -143,26 +143,29 @@ INLINED int quick_end(QuickCrossing* c, real at, u32 face)
     return 1;
 }
 
-/* Where the solid is entered from `from` on. */
+/* Where the solid is entered from `from` on, which it does not hold: where it ends about there it lies behind, and a gap
+ * that begins about there holds the ray, if no other one ends there. */
 INLINED int quick_entry(const QuickSolid* solid, real from, real tolerance, QuickCrossing* c)
 {
     const QuickSpan* whole = &solid->whole;
     if (whole->hi < from - tolerance || (whole->marks & QUICK_LEFT_HI && whole->hi == from)) return 0;
+    if (whole->hi < from + tolerance && whole->lo < from - tolerance && !(whole->marks & QUICK_VAGUE)) return 0;
     if (whole->marks & QUICK_VAGUE || whole->hi < larger(whole->lo, from) + tolerance)
         return quick_unsure(c, larger(smaller(whole->lo, whole->hi) - tolerance, from));
     quick_end(c, whole->lo, whole->face_lo);
     /* Within the whole the ray must begin in a gap. */
-    int in_gap = whole->lo > from + tolerance;
+    int in_gap = whole->lo > from + tolerance, ends = 0;
     if (!in_gap) {
         if (whole->lo > from - tolerance) return quick_unsure(c, from);
         c->t = from;
+        for (u32 i = 0; i < solid->gap_count; i++) ends |= fabs(solid->gaps[i].hi - from) <= tolerance;
     }
     u32 gap = solid->gap_count;
     for (u32 i = 0; i < solid->gap_count; i++) {
         const QuickSpan* g = &solid->gaps[i];
         if (i == gap || g->lo > c->t + tolerance || g->hi < c->t - tolerance) continue;
-        const int left = c->t == from && g->lo == from && g->marks & QUICK_LEFT_LO;
-        if (g->marks & QUICK_VAGUE || g->hi < c->t + tolerance || (g->lo > c->t - tolerance && !left))
+        const int here = c->t == from && (!ends || (g->lo == from && g->marks & QUICK_LEFT_LO));
+        if (g->marks & QUICK_VAGUE || g->hi < c->t + tolerance || (g->lo > c->t - tolerance && !here))
             return quick_unsure(c, c->t);
         quick_end(c, g->hi, g->face_hi);
         in_gap = 1;

@@ -19,12 +19,15 @@ typedef double8 wide;
 typedef long8 wide_mask;
 #define CONVERT_WIDE(x) convert_double8(x)
 #define CONVERT_MASK(x) convert_long8(x)
+#define CONVERT_IDS(x) convert_long8(x)
 #else
 typedef float8 wide;
 typedef int8 wide_mask;
 #define CONVERT_WIDE(x) (x)
 #define CONVERT_MASK(x) as_int8(x)
+#define CONVERT_IDS(x) (x)
 #endif
+typedef wide_mask wide_id; /* a signed 32-bit number in each lane */
 
 INLINED wide load_wide(__global const float* p)
 {
@@ -38,9 +41,25 @@ INLINED void store_wide(wide a, real lanes[LANES])
 {
     vstore8(a, 0, lanes);
 }
+INLINED wide load_lanes(const real lanes[LANES])
+{
+    return vload8(0, lanes);
+}
+INLINED wide_id load_ids(const int lanes[LANES])
+{
+    return CONVERT_IDS(vload8(0, lanes));
+}
+INLINED void store_ids(wide_id a, int lanes[LANES])
+{
+    vstore8(convert_int8(a), 0, lanes);
+}
 INLINED wide wide_all(real x)
 {
     return (wide)(x);
+}
+INLINED wide_id all_ids(int x)
+{
+    return (wide_id)(x);
 }
 INLINED wide wide_fma(wide a, wide b, wide c)
 {
@@ -50,8 +69,20 @@ INLINED wide wide_fabs(wide a)
 {
     return fabs(a);
 }
+INLINED wide wide_sqrt(wide a)
+{
+    return sqrt(a);
+}
+INLINED wide wide_exp(wide a)
+{
+    return exp(a);
+}
 /* b where the mask is set, else a. */
 INLINED wide wide_select(wide a, wide b, wide_mask mask)
+{
+    return mask ? b : a;
+}
+INLINED wide_id id_select(wide_id a, wide_id b, wide_mask mask)
 {
     return mask ? b : a;
 }
@@ -76,6 +107,7 @@ INLINED u32 wide_bits(wide_mask m)
 
 #undef CONVERT_WIDE
 #undef CONVERT_MASK
+#undef CONVERT_IDS
 #else
 #ifdef CLU_DOUBLE
 typedef int64_t wide_lane;
@@ -84,6 +116,7 @@ typedef int32_t wide_lane;
 #endif
 typedef real wide __attribute__((vector_size(8 * sizeof(real))));
 typedef wide_lane wide_mask __attribute__((vector_size(8 * sizeof(real))));
+typedef wide_mask wide_id;
 
 INLINED wide load_wide(const float* p)
 {
@@ -101,6 +134,27 @@ INLINED void store_wide(wide a, real lanes[LANES])
 {
     for (u32 i = 0; i < LANES; i++) lanes[i] = a[i];
 }
+INLINED wide load_lanes(const real lanes[LANES])
+{
+    wide a;
+    for (u32 i = 0; i < LANES; i++) a[i] = lanes[i];
+    return a;
+}
+INLINED wide_id load_ids(const int lanes[LANES])
+{
+    wide_id a;
+    for (u32 i = 0; i < LANES; i++) a[i] = lanes[i];
+    return a;
+}
+INLINED void store_ids(wide_id a, int lanes[LANES])
+{
+    for (u32 i = 0; i < LANES; i++) lanes[i] = (int)a[i];
+}
+INLINED wide_id all_ids(int x)
+{
+    const wide_id a = {x, x, x, x, x, x, x, x};
+    return a;
+}
 INLINED wide wide_all(real x)
 {
     const wide a = {x, x, x, x, x, x, x, x};
@@ -116,9 +170,23 @@ INLINED wide wide_fabs(wide a)
     for (u32 i = 0; i < LANES; i++) a[i] = fabs(a[i]);
     return a;
 }
+INLINED wide wide_sqrt(wide a)
+{
+    for (u32 i = 0; i < LANES; i++) a[i] = sqrt(a[i]);
+    return a;
+}
+INLINED wide wide_exp(wide a)
+{
+    for (u32 i = 0; i < LANES; i++) a[i] = exp(a[i]);
+    return a;
+}
 INLINED wide wide_select(wide a, wide b, wide_mask mask)
 {
     return (wide)((mask & (wide_mask)b) | (~mask & (wide_mask)a));
+}
+INLINED wide_id id_select(wide_id a, wide_id b, wide_mask mask)
+{
+    return (mask & b) | (~mask & a);
 }
 INLINED wide_mask wide_is(wide_mask a, u32 x)
 {
@@ -153,6 +221,18 @@ INLINED wide wide_larger(wide a, wide b)
 INLINED real wide_smallest(wide a)
 {
     return -wide_largest(-a);
+}
+INLINED int any_lane(wide_mask m)
+{
+    return wide_bits(m) != 0u;
+}
+INLINED u32 count_bits(u32 bits)
+{
+#ifdef __OPENCL_VERSION__
+    return popcount(bits);
+#else
+    return (u32)__builtin_popcount(bits);
+#endif
 }
 /* The least lane of a set of bits that is not empty. */
 INLINED u32 first_lane(u32 bits)

@@ -1,0 +1,97 @@
+/* What a group of solids holds of a packet's lines, and crossings that are found there: as kernels/quick.h. */
+#ifndef CLUCIDA_PACKETS_GROUP_H
+#define CLUCIDA_PACKETS_GROUP_H
+
+#include "kernels/packets/spans.h"
+
+/* What both spans, that keep, hold; in the lanes of `in`. */
+INLINED void packet_cut(PacketSpan* s, wide_mask in, const PacketSpan* by)
+{
+    const wide_mask later = in & (by->lo > s->lo), sooner = in & (by->hi < s->hi);
+    s->lo = where(later, by->lo, s->lo);
+    s->hi = where(sooner, by->hi, s->hi);
+    s->face_lo = where_id(later, by->face_lo, s->face_lo);
+    s->face_hi = where_id(sooner, by->face_hi, s->face_hi);
+    s->vague |= in & by->vague;
+}
+
+/* Inside out. One that then starts or ends nowhere keeps one side of an end; where that is vague, nothing is known. */
+INLINED void packet_complement(PacketSpan* s)
+{
+    const wide infinite = wide_all(INFINITE);
+    s->keep = ~s->keep;
+    const wide_mask begins = s->lo > -infinite, ends = s->hi < infinite, one_sided = ~s->keep & ~(begins & ends);
+    if (!any_lane(one_sided)) return;
+    const wide_mask before = one_sided & begins & ~s->vague, after = one_sided & ends & ~begins & ~s->vague;
+    const wide_mask nothing = one_sided & ~begins & ~ends & ~s->vague;
+    const wide lo = s->lo, hi = s->hi;
+    const wide_id face_lo = s->face_lo;
+    s->lo = where(after, hi, where(nothing, infinite, where(one_sided, -infinite, lo)));
+    s->hi = where(before, lo, where(nothing, -infinite, where(one_sided, infinite, hi)));
+    s->face_lo = where_id(after, s->face_hi, face_lo);
+    s->face_hi = where_id(before, face_lo, s->face_hi);
+    s->keep |= one_sided;
+}
+
+/* A group's span; where it does not keep it has two ends. */
+INLINED PacketSpan packet_group(const World* world, __global const LayoutGroup* group, const PacketLine* l)
+{
+    const u32 first = world->members[group->begin];
+    PacketSpan s;
+    if (group->count == 1u) {
+        s = packet_member(world, first, l);
+    } else {
+        s = packet_span(-INFINITE, INFINITE);
+        for (u32 i = 0; i < group->count; i++) {
+            const u32 member = world->members[group->begin + i];
+#ifdef CLU_PLANE
+            if ((member & MEMBER_KIND) == MEMBER_PLANE) {
+                packet_plane(&world->planes[member >> MEMBER_SHIFT], member, l, &s);
+                continue;
+            }
+#endif
+            const PacketSpan m = packet_member(world, member, l);
+            packet_cut(&s, all_ids(-1), &m);
+        }
+    }
+    const wide_mask thin = wide_fabs(s.hi - s.lo) < l->tolerance;
+    if (any_lane(thin)) {
+        s.lo = where(thin, s.lo - l->tolerance, s.lo);
+        s.hi = where(thin, s.hi + l->tolerance, s.hi);
+        s.vague |= thin;
+    }
+    if (group->inverse) {
+        packet_complement(&s);
+        s.face_lo ^= all_ids((int)MEMBER_INVERSE);
+        s.face_hi ^= all_ids((int)MEMBER_INVERSE);
+    }
+    return s;
+}
+
+/* Crossings, right to within the line's tolerance where they are sure; where not, t is where doubt begins. */
+typedef struct {
+    wide t;
+    wide_id face;
+    wide_mask met, sure;
+} PacketEnd;
+
+/* Of the lanes in *open those that are in doubt from t on: they are met, and not looked at any more. */
+INLINED void packet_unsure(PacketEnd* e, wide_mask* open, wide_mask which, wide t)
+{
+    which &= *open;
+    e->t = where(which, t, e->t);
+    e->sure &= ~which;
+    e->met |= which;
+    *open &= ~which;
+}
+
+INLINED PacketEnd packet_no_end(void)
+{
+    PacketEnd e;
+    e.t = wide_all(INFINITE);
+    e.face = all_ids((int)MEMBER_NONE);
+    e.met = e.sure = all_ids(0);
+    return e;
+}
+
+#endif

@@ -1,0 +1,151 @@
+/* The rays of a tile that wait, in a work-item's own memory, and the light that has arrived at its pixels. */
+#ifndef CLUCIDA_PACKETS_STACKS_H
+#define CLUCIDA_PACKETS_STACKS_H
+
+#include "kernels/color.h"
+#include "kernels/packets/search.h"
+
+/* What is kept of a ray. */
+enum PacketRow {
+    ROW_O, /* x, y, z */
+    ROW_D = ROW_O + 3,
+    ROW_EXCESS = ROW_D + 3,
+    ROW_ERR,
+    ROW_THROUGHPUT, /* red, green, blue */
+    ROW_WEIGHT = ROW_THROUGHPUT + 3,
+    ROW_COUNT = ROW_WEIGHT + 3
+};
+enum PacketId {
+    ID_LEFT,        /* bits of a reference */
+    ID_LEFT_INSIDE, /* -1 or 0 */
+    ID_MEDIUM,      /* an object or MEDIUM_* */
+    ID_TAG,         /* the pixel's number within the tile | segments left << PIXEL_BITS */
+    ID_COUNT
+};
+
+#define PACKET_TILE 32u
+#define PIXEL_BITS 10u
+#define PIXEL_MASK ((1u << PIXEL_BITS) - 1u)
+
+/* A stack each for rays that begin in the vacuum or in a medium, reflected or refracted: those meet much the same
+ * objects. No scene was ever seen to need more than 42 places; one that does is rendered again with more, as when the
+ * one-ray kernel's stack is full. */
+#define STACKS 4u
+#define PACKET_STACK (64u + 4u * CLU_STACK_CAPACITY)
+
+typedef struct {
+    u32 count[STACKS];
+    real rows[STACKS][ROW_COUNT][PACKET_STACK];
+    int ids[STACKS][ID_COUNT][PACKET_STACK];
+} PacketStacks;
+
+typedef struct {
+    real rows[ROW_COUNT][LANES];
+    int ids[ID_COUNT][LANES];
+} Packet;
+
+INLINED wide_vec packet_vec(const Packet* packet, u32 row)
+{
+    return make_wide_vec(load_lanes(packet->rows[row]), load_lanes(packet->rows[row + 1]),
+                         load_lanes(packet->rows[row + 2]));
+}
+INLINED void put_vec(Packet* packet, u32 row, wide_vec v)
+{
+    store_wide(v.x, packet->rows[row]);
+    store_wide(v.y, packet->rows[row + 1]);
+    store_wide(v.z, packet->rows[row + 2]);
+}
+INLINED rgb lane_color(const Packet* packet, u32 row, u32 lane)
+{
+    return make_rgb(packet->rows[row][lane], packet->rows[row + 1][lane], packet->rows[row + 2][lane]);
+}
+INLINED int has_ray(const Packet* packet, u32 lane)
+{
+    return packet->ids[ID_MEDIUM][lane] != MEDIUM_NO_RAY;
+}
+INLINED int signed_medium(u32 medium)
+{
+    return medium == VACUUM ? MEDIUM_VACUUM : (int)medium;
+}
+INLINED u32 unsigned_medium(int medium)
+{
+    return medium == MEDIUM_VACUUM ? VACUUM : (u32)medium;
+}
+INLINED Ray lane_ray(const Packet* packet, u32 lane)
+{
+    Ray ray;
+    ray.o = make_vec(packet->rows[ROW_O][lane], packet->rows[ROW_O + 1][lane], packet->rows[ROW_O + 2][lane]);
+    ray.d = make_vec(packet->rows[ROW_D][lane], packet->rows[ROW_D + 1][lane], packet->rows[ROW_D + 2][lane]);
+    ray.excess = packet->rows[ROW_EXCESS][lane];
+    ray.left = (u32)packet->ids[ID_LEFT][lane];
+    ray.left_inside = packet->ids[ID_LEFT_INSIDE][lane] != 0;
+    ray.err = packet->rows[ROW_ERR][lane];
+    return ray;
+}
+
+/* A stack that fills a packet, or STACKS. */
+INLINED u32 full_stack(const PacketStacks* stacks)
+{
+    u32 full = STACKS;
+    for (u32 i = 0; i < STACKS; i++)
+        if (stacks->count[i] >= LANES) full = i;
+    return full;
+}
+
+/* The fullest stack, or STACKS if all are empty. */
+INLINED u32 fullest_stack(const PacketStacks* stacks)
+{
+    u32 most = 0, fullest = STACKS;
+    for (u32 i = 0; i < STACKS; i++) {
+        if (stacks->count[i] <= most) continue;
+        most = stacks->count[i];
+        fullest = i;
+    }
+    return fullest;
+}
+
+/* The stack's topmost rays. */
+INLINED void pop_packet(PacketStacks* stacks, u32 stack, Packet* packet)
+{
+    const u32 count = stacks->count[stack] < LANES ? stacks->count[stack] : LANES, at = stacks->count[stack] -= count;
+    for (u32 row = 0; row < ROW_COUNT; row++) store_wide(load_lanes(&stacks->rows[stack][row][at]), packet->rows[row]);
+    for (u32 id = 0; id < ID_COUNT; id++) store_ids(load_ids(&stacks->ids[stack][id][at]), packet->ids[id]);
+    for (u32 i = count; i < LANES; i++) packet->ids[ID_MEDIUM][i] = MEDIUM_NO_RAY;
+}
+
+/* Pushes the packet's rays of the given lanes, each onto its medium's stack. */
+INLINED void push_packet(World* world, PacketStacks* stacks, const Packet* packet, u32 lanes, u32 refracted)
+{
+    for (; lanes; lanes &= lanes - 1u) {
+        const u32 i = first_lane(lanes);
+        const u32 stack = (packet->ids[ID_MEDIUM][i] == MEDIUM_VACUUM ? 0u : 2u) + refracted;
+        const u32 k = stacks->count[stack];
+        if (k + LANES > PACKET_STACK) { /* what lies beyond may be read, though it means nothing */
+            COUNT(world, STAT_STACK_OVERFLOW);
+            continue;
+        }
+        stacks->count[stack] = k + 1;
+        for (u32 row = 0; row < ROW_COUNT; row++) stacks->rows[stack][row][k] = packet->rows[row][i];
+        for (u32 id = 0; id < ID_COUNT; id++) stacks->ids[stack][id][k] = packet->ids[id][i];
+        COUNT(world, STAT_RAYS);
+        COUNT(world, refracted ? STAT_REFRACTED : STAT_REFLECTED);
+    }
+}
+
+typedef struct {
+    real sums[PACKET_TILE * PACKET_TILE][3];
+} TileLight;
+
+INLINED void add_light(World* world, TileLight* light, int tag, rgb c)
+{
+    real* sums = light->sums[(u32)tag & PIXEL_MASK];
+    if (!(c.r == c.r && c.g == c.g && c.b == c.b)) {
+        COUNT(world, STAT_NAN);
+        return;
+    }
+    sums[0] += c.r;
+    sums[1] += c.g;
+    sums[2] += c.b;
+}
+
+#endif

@@ -1,0 +1,122 @@
+/* A tile's pixels by packets of rays: one work-item traces them all. Rays wait on stacks; whenever one of these holds
+ * eight they are searched and shaded as a packet, and what they lead to is pushed; else eight new ones of the observer
+ * come in. A lane's result does not depend on its neighbours. */
+#ifndef CLUCIDA_PACKETS_TRACE_H
+#define CLUCIDA_PACKETS_TRACE_H
+
+#include "kernels/observer.h"
+#include "kernels/packets/shade.h"
+
+/* The bits of even places, side by side. */
+INLINED u32 even_bits(u32 m)
+{
+    m &= 0x55555555u;
+    m = (m | m >> 1) & 0x33333333u;
+    m = (m | m >> 2) & 0x0f0f0f0fu;
+    return (m | m >> 4) & 0x00ff00ffu;
+}
+
+/* A block of pixels of the picture, PACKET_TILE on a side or less at its edges. */
+typedef struct {
+    u32 x, y, width, height;
+} PixelBlock;
+
+/* The medium of a lane's start, and whether it ends there: it is opaque, or no segments are allowed at all. */
+static CALLED u32 start_medium(World* world, const Ray* ray)
+{
+    return world->frame->start_count ? medium_at_start(world, ray) : VACUUM;
+}
+
+INLINED void begin_lane(World* world, Packet* packet, u32 lane)
+{
+    u32 medium = VACUUM;
+    if (world->frame->start_count) {
+        World copy = *world;
+        const Ray ray = lane_ray(packet, lane);
+        medium = start_medium(&copy, &ray);
+        for (u32 i = 0; i < STAT_COUNT; i++) world->stats[i] = copy.stats[i];
+    }
+    const rgb all = grey(R(1));
+    const int black = is_black(world, all, all, world->frame->max_hops, medium);
+    packet->ids[ID_MEDIUM][lane] = black ? MEDIUM_NO_RAY : signed_medium(medium);
+    if (black) return;
+    COUNT(world, STAT_RAYS);
+    COUNT(world, STAT_PRIMARY);
+}
+
+/* The observer's rays through eight of the block's pixels, from a place in Morton's order on. */
+INLINED void observe_packet(World* world, const PixelBlock* block, u32 place, u32 sample, Packet* packet)
+{
+    __global const LayoutFrame* f = world->frame;
+    real a, b, u[LANES], v[LANES];
+    sample_offset(sample, f->corner, &a, &b);
+    u32 within = 0;
+    for (u32 k = 0; k < LANES; k++) {
+        const u32 i = even_bits(place + k), j = even_bits((place + k) >> 1);
+        u[k] = (R(block->x + i) - R(0.5f) * R(f->width) + a) / R(f->width);
+        v[k] = (R(block->y + j) - R(0.5f) * R(f->height) + b) / R(f->height);
+        packet->ids[ID_LEFT][k] = (int)MEMBER_NONE;
+        packet->ids[ID_LEFT_INSIDE][k] = 0;
+        packet->ids[ID_MEDIUM][k] = MEDIUM_NO_RAY;
+        packet->ids[ID_TAG][k] = (int)(j * PACKET_TILE + i | f->max_hops << PIXEL_BITS);
+        packet->rows[ROW_ERR][k] = R(0);
+        for (u32 row = ROW_THROUGHPUT; row < ROW_COUNT; row++) packet->rows[row][k] = R(1);
+        within |= (i < block->width && j < block->height ? 1u : 0u) << k;
+    }
+    const wide across = load_lanes(u), down = load_lanes(v);
+    const wide_vec s =
+        make_wide_vec(R(f->column[0]) * across + R(f->row[0]) * down, R(f->column[1]) * across + R(f->row[1]) * down,
+                      R(f->column[2]) * across + R(f->row[2]) * down);
+    const wide_vec d = wide_unit(make_wide_vec(R(f->forward[0]) + s.x, R(f->forward[1]) + s.y, R(f->forward[2]) + s.z));
+    put_vec(packet, ROW_O, wide_scaled(s, wide_all(R(f->window))));
+    put_vec(packet, ROW_D, d);
+    store_wide(wide_length_excess(d), packet->rows[ROW_EXCESS]);
+    for (; within; within &= within - 1u) begin_lane(world, packet, first_lane(within));
+}
+
+INLINED void trace_packet(World* world, PacketStacks* stacks, const Packet* packet, TileLight* light)
+{
+    const wide_id medium = load_ids(packet->ids[ID_MEDIUM]);
+    const wide_mask some = medium != all_ids(MEDIUM_NO_RAY);
+    if (!any_lane(some)) return;
+    count_lanes(world, STAT_QUERIES, some);
+    PacketLine l;
+    l.o = packet_vec(packet, ROW_O);
+    l.d = packet_vec(packet, ROW_D);
+    l.err = load_lanes(packet->rows[ROW_ERR]);
+    l.left = load_ids(packet->ids[ID_LEFT]);
+    l.left_inside = load_ids(packet->ids[ID_LEFT_INSIDE]);
+    const PacketHit hit = packet_search(world, medium, &l);
+    LaneHits hits;
+    store_wide(hit.t, hits.t);
+    store_wide(hit.tolerance, hits.tolerance);
+    store_ids(hit.object, hits.object);
+    store_ids(hit.face, hits.face);
+    store_ids(hit.after, hits.after);
+    hits.sure = wide_bits(hit.sure);
+    shade_packet(world, stacks, packet, &hits, light);
+}
+
+/* Samples sample_begin..sample_end-1 of all pixels of the block. */
+INLINED void trace_block(World* world, const PixelBlock* block, u32 sample_begin, u32 sample_end, TileLight* light)
+{
+    PacketStacks stacks;
+    const u32 pixels = PACKET_TILE * PACKET_TILE, last = sample_end * pixels;
+    for (u32 i = 0; i < STACKS; i++) stacks.count[i] = 0;
+    for (u32 i = 0; i < pixels; i++) light->sums[i][0] = light->sums[i][1] = light->sums[i][2] = R(0);
+    for (u32 next = sample_begin * pixels;;) {
+        Packet packet;
+        u32 stack = full_stack(&stacks);
+        if (stack == STACKS && next < last) {
+            observe_packet(world, block, next % pixels, next / pixels, &packet);
+            next += LANES;
+        } else {
+            if (stack == STACKS) stack = fullest_stack(&stacks);
+            if (stack == STACKS) return;
+            pop_packet(&stacks, stack, &packet);
+        }
+        trace_packet(world, &stacks, &packet, light);
+    }
+}
+
+#endif

@@ -1,0 +1,133 @@
+/* The objects that a packet's rays may meet: a list of few, or the tree over many, walked by all rays together. */
+#ifndef CLUCIDA_PACKETS_WALK_H
+#define CLUCIDA_PACKETS_WALK_H
+
+#include "kernels/packets/lanes.h"
+#include "kernels/tree.h"
+
+/* As many objects are looked at one after the other. */
+#define PACKET_LIST 64u
+
+typedef struct {
+    real o[3][LANES], inverse[3][LANES]; /* the rays' origins; 1/d, finite */
+    u32 next, last;                      /* an object of the list or a root */
+    u32 count;                           /* what waits, the nearest on top: */
+    u32 refs[CLU_WALK_CAPACITY], rays[CLU_WALK_CAPACITY];
+    real near[CLU_WALK_CAPACITY]; /* of the nearest ray */
+} PacketWalk;
+
+INLINED int is_list(const World* world)
+{
+    return world->frame->object_count <= PACKET_LIST;
+}
+
+INLINED wide wide_finite_inverse(wide x)
+{
+    const wide least = wide_all(R(1e-30f)), inverse = wide_all(R(1)) / where(wide_fabs(x) > least, x, least);
+    return where((x < wide_all(R(0))) & (inverse > wide_all(R(0))), -inverse, inverse);
+}
+
+/* last: of a list, how many of its objects count. */
+INLINED void packet_walk_begin(PacketWalk* walk, const World* world, wide_vec o, wide_vec d, u32 last)
+{
+    walk->next = walk->count = 0;
+    walk->last = is_list(world) ? last : world->frame->root_count;
+    if (is_list(world)) return;
+    store_wide(o.x, walk->o[0]);
+    store_wide(o.y, walk->o[1]);
+    store_wide(o.z, walk->o[2]);
+    store_wide(wide_finite_inverse(d.x), walk->inverse[0]);
+    store_wide(wide_finite_inverse(d.y), walk->inverse[1]);
+    store_wide(wide_finite_inverse(d.z), walk->inverse[2]);
+}
+
+/* A set of rays as a mask. */
+INLINED wide_mask rays_mask(u32 rays)
+{
+    wide_id bit;
+    const int bits[LANES] = {1, 2, 4, 8, 16, 32, 64, 128};
+    bit = load_ids(bits);
+    return (all_ids((int)rays) & bit) == bit;
+}
+
+/* Puts the node's children that one of the rays meets between from and to onto the stack, sorted down to base. */
+INLINED void packet_walk_open(PacketWalk* walk, __global const LayoutNode* node, u32 rays, wide from, wide to, u32 base)
+{
+    real from_lanes[LANES], to_lanes[LANES], nearest_lanes[LANES];
+    u32 met[LANES];
+    store_wide(from, from_lanes);
+    store_wide(to, to_lanes);
+    wide nearest = wide_all(INFINITE);
+    u32 some = 0;
+    for (u32 k = 0; k < LANES; k++) met[k] = 0;
+    for (; rays; rays &= rays - 1u) {
+        const u32 k = first_lane(rays);
+        const real ix = walk->inverse[0][k], iy = walk->inverse[1][k], iz = walk->inverse[2][k];
+        const u32 x = ix < R(0) ? 3u : 0u, y = iy < R(0) ? 4u : 1u, z = iz < R(0) ? 5u : 2u;
+        const real ox = walk->o[0][k], oy = walk->o[1][k], oz = walk->o[2][k];
+        const wide near = wide_larger(wide_larger(reach(node->bounds[x], ox, ix), reach(node->bounds[y], oy, iy)),
+                                      wide_larger(reach(node->bounds[z], oz, iz), wide_all(from_lanes[k])));
+        const wide far =
+            wide_smaller(wide_smaller(reach(node->bounds[3u - x], ox, ix), reach(node->bounds[5u - y], oy, iy)),
+                         reach(node->bounds[7u - z], oz, iz)) *
+            wide_all(R(1) + R(8) * UNIT_ROUNDOFF);
+        const wide_mask hit = near <= wide_smaller(far, wide_all(to_lanes[k]));
+        nearest = where(hit, wide_smaller(near, nearest), nearest);
+        met[k] = wide_bits(hit);
+        some |= met[k];
+    }
+    store_wide(nearest, nearest_lanes);
+    for (; some; some &= some - 1u) {
+        const u32 child = first_lane(some);
+        u32 its_rays = 0, i = walk->count++;
+        for (u32 k = 0; k < LANES; k++) its_rays |= (met[k] >> child & 1u) << k;
+        for (; i > base && walk->near[i - 1] < nearest_lanes[child]; i--) {
+            walk->near[i] = walk->near[i - 1];
+            walk->refs[i] = walk->refs[i - 1];
+            walk->rays[i] = walk->rays[i - 1];
+        }
+        walk->near[i] = nearest_lanes[child];
+        walk->refs[i] = node->child[child];
+        walk->rays[i] = its_rays;
+    }
+}
+
+/* The next object whose box one of the rays meets between ray parameters from and to, or WALK_DONE; those rays. */
+static CALLED u32 packet_tree_next(PacketWalk* walk, const World* world, wide from, wide to, u32* rays)
+{
+    __global const LayoutFrame* frame = world->frame;
+    for (;;) {
+        u32 node, base = 0, its_rays = 255u;
+        if (walk->next < walk->last &&
+            (walk->count == 0 || walk->count + frame->walk_reserve + LANES <= CLU_WALK_CAPACITY)) {
+            node = walk->next++;
+        } else {
+            if (walk->count == 0) return WALK_DONE;
+            walk->count--;
+            its_rays = walk->rays[walk->count] & wide_bits(wide_all(walk->near[walk->count]) <= to);
+            if (!its_rays) continue;
+            const u32 ref = walk->refs[walk->count];
+            if (!(ref & NODE_INNER)) {
+                *rays = its_rays;
+                return ref;
+            }
+            node = ref & ~NODE_INNER;
+            base = walk->count;
+        }
+        packet_walk_open(walk, &world->nodes[node], its_rays, from, to, base);
+    }
+}
+
+INLINED u32 packet_walk_next(PacketWalk* walk, const World* world, wide from, wide to, wide_mask* rays)
+{
+    if (is_list(world)) {
+        *rays = all_ids(-1);
+        return walk->next < walk->last ? walk->next++ : WALK_DONE;
+    }
+    u32 bits = 0;
+    const u32 id = packet_tree_next(walk, world, from, to, &bits);
+    *rays = rays_mask(bits);
+    return id;
+}
+
+#endif
