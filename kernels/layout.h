@@ -102,6 +102,8 @@ typedef struct {
     u32 child[8]; /* an object, or NODE_INNER and a node */
 } LayoutNode;
 #define NODE_INNER 0x80000000u
+/* As many objects make no tree: in nodes that are all roots they are as well looked at one after the other. */
+#define LIST_CAPACITY 64u
 
 /* Object: a boolean expression over groups: the intersection of all when program_count is 0. */
 typedef struct {

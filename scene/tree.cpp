@@ -11,7 +11,6 @@ namespace clucida::scene {
 namespace {
 
 constexpr std::size_t width = 8;
-constexpr std::size_t most_listed = 16;  ///< more boxes than this make a tree; fewer are as well tested one and all
 constexpr std::size_t most_upfront = 64; ///< children of roots that a walk begins with
 constexpr std::size_t bins = 16;
 constexpr std::size_t least_parallel = 20000; ///< boxes; below, a thread costs more than it gains
@@ -222,7 +221,7 @@ Tree build_tree(const std::vector<FloatBox>& boxes)
         (is_bounded(boxes[i]) ? bounded : endless).push_back({boxes[i], static_cast<u32>(i)});
 
     Tree tree;
-    if (bounded.size() + endless.size() <= most_listed) {
+    if (bounded.size() + endless.size() <= LIST_CAPACITY) {
         endless.insert(endless.end(), bounded.begin(), bounded.end());
         bounded.clear();
     }

@@ -34,38 +34,35 @@ INLINED void packet_complement(PacketSpan* s)
 }
 
 /* A group's span; where it does not keep it has two ends. */
-INLINED PacketSpan packet_group(const World* world, __global const LayoutGroup* group, const PacketLine* l)
+static CALLED void packet_group(const World* world, __global const LayoutGroup* group, const PacketLine* l,
+                                PacketSpan* s)
 {
-    const u32 first = world->members[group->begin];
-    PacketSpan s;
-    if (group->count == 1u) {
-        s = packet_member(world, first, l);
-    } else {
-        s = packet_span(-INFINITE, INFINITE);
-        for (u32 i = 0; i < group->count; i++) {
-            const u32 member = world->members[group->begin + i];
+    *s = packet_span(-INFINITE, INFINITE);
+    for (u32 i = 0; i < group->count; i++) {
+        const u32 member = world->members[group->begin + i];
 #ifdef CLU_PLANE
-            if ((member & MEMBER_KIND) == MEMBER_PLANE) {
-                packet_plane(&world->planes[member >> MEMBER_SHIFT], member, l, &s);
-                continue;
-            }
-#endif
-            const PacketSpan m = packet_member(world, member, l);
-            packet_cut(&s, all_ids(-1), &m);
+        if ((member & MEMBER_KIND) == MEMBER_PLANE && group->count > 1u) {
+            packet_plane(&world->planes[member >> MEMBER_SHIFT], member, l, s);
+            continue;
         }
+#endif
+        const PacketSpan m = packet_member(world, member, l);
+        if (group->count == 1u)
+            *s = m;
+        else
+            packet_cut(s, all_ids(-1), &m);
     }
-    const wide_mask thin = wide_fabs(s.hi - s.lo) < l->tolerance;
+    const wide_mask thin = wide_fabs(s->hi - s->lo) < l->tolerance;
     if (any_lane(thin)) {
-        s.lo = where(thin, s.lo - l->tolerance, s.lo);
-        s.hi = where(thin, s.hi + l->tolerance, s.hi);
-        s.vague |= thin;
+        s->lo = where(thin, s->lo - l->tolerance, s->lo);
+        s->hi = where(thin, s->hi + l->tolerance, s->hi);
+        s->vague |= thin;
     }
     if (group->inverse) {
-        packet_complement(&s);
-        s.face_lo ^= all_ids((int)MEMBER_INVERSE);
-        s.face_hi ^= all_ids((int)MEMBER_INVERSE);
+        packet_complement(s);
+        s->face_lo ^= all_ids((int)MEMBER_INVERSE);
+        s->face_hi ^= all_ids((int)MEMBER_INVERSE);
     }
-    return s;
 }
 
 /* Crossings, right to within the line's tolerance where they are sure; where not, t is where doubt begins. */

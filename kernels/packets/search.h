@@ -39,12 +39,16 @@ INLINED void count_lanes(World* world, u32 stat, wide_mask lanes)
 }
 
 /* One more object: the nearest crossings stay in *hit. */
-INLINED void packet_try(World* world, u32 id, wide_mask rays, wide_id medium, PacketLine* l, PacketHit* hit)
+INLINED void packet_try(World* world, const PacketWalk* walk, u32 id, wide_mask rays, wide_id medium, PacketLine* l,
+                        PacketHit* hit)
 {
     __global const LayoutObject* object = &world->objects[id];
     const wide_id me = all_ids((int)id);
     const wide_mask inside = medium == me;
-    const wide_mask want = rays & ~(medium < me) & (inside | packet_meets(l, object, hit->t + hit->tolerance));
+    const wide to = hit->t + hit->tolerance;
+    wide_mask want = rays & ~(medium < me) & (inside | packet_meets(l, object, to));
+    if (!any_lane(want)) return;
+    want &= inside | packet_meets_box(walk, world, -l->err, to);
     if (!any_lane(want)) return;
     count_lanes(world, STAT_TESTS, want);
     packet_errors(l, object);
@@ -60,16 +64,6 @@ INLINED void packet_try(World* world, u32 id, wide_mask rays, wide_id medium, Pa
     hit->missing &= ~(want & inside);
 }
 
-/* How many objects, from the first, some lane's ray may meet: what is below its medium is not there for it. */
-INLINED u32 packet_last(const World* world, wide_id medium)
-{
-    int lanes[LANES], lowest = MEDIUM_NO_RAY;
-    store_ids(medium, lanes);
-    for (u32 i = 0; i < LANES; i++) lowest = lanes[i] > lowest ? lanes[i] : lowest;
-    const u32 last = (u32)lowest + 1u;
-    return last < world->frame->object_count ? last : world->frame->object_count;
-}
-
 /* Of the rays that leave a medium, what they come into goes to hit->after: the first object below it that holds the
  * point just beyond. */
 INLINED void packet_look_beyond(World* world, wide_id medium, wide_mask seeking, PacketLine* l, PacketHit* hit)
@@ -77,7 +71,7 @@ INLINED void packet_look_beyond(World* world, wide_id medium, wide_mask seeking,
     const wide t = where(seeking, hit->t, wide_all(R(0)));
     const wide_vec p = wide_along(l->o, l->d, t);
     PacketWalk walk;
-    packet_walk_begin(&walk, world, l->o, l->d, world->frame->object_count);
+    packet_walk_begin(&walk, world, l->o, l->d);
     for (;;) {
         wide_mask rays;
         const u32 id = packet_walk_next(&walk, world, t, where(seeking, t, wide_all(-INFINITE)), &rays);
@@ -88,6 +82,8 @@ INLINED void packet_look_beyond(World* world, wide_id medium, wide_mask seeking,
         const wide radius =
             wide_fma(wide_all(R(32) * UNIT_ROUNDOFF), t + wide_max_norm(p), wide_all(R(object->radius)));
         wide_mask want = rays & seeking & (me > medium) & (me < hit->after) & (wide_dot(q, q) <= radius * radius);
+        if (!any_lane(want)) continue;
+        want &= packet_meets_box(&walk, world, t, t);
         if (!any_lane(want)) continue;
         count_lanes(world, STAT_TESTS, want);
         packet_meets(l, object, t);
@@ -110,14 +106,14 @@ INLINED PacketHit packet_search(World* world, wide_id medium, PacketLine* l)
     hit.sure = all_ids(-1);
     hit.missing = (medium < all_ids(MEDIUM_VACUUM)) & (medium > all_ids(MEDIUM_NO_RAY));
     PacketWalk walk;
-    packet_walk_begin(&walk, world, l->o, l->d, packet_last(world, medium));
+    packet_walk_begin(&walk, world, l->o, l->d);
     const wide_mask some = medium != all_ids(MEDIUM_NO_RAY);
     for (;;) {
         wide_mask rays;
         const wide to = where(some, hit.t + hit.tolerance, wide_all(-INFINITE));
         const u32 id = packet_walk_next(&walk, world, -l->err, to, &rays);
         if (id == WALK_DONE) break;
-        packet_try(world, id, rays, medium, l, &hit);
+        packet_try(world, &walk, id, rays, medium, l, &hit);
     }
     hit.sure &= ~hit.missing;
     const wide_mask seeking = hit.sure & (hit.t < wide_all(INFINITE)) & (hit.object == medium);
@@ -133,14 +129,16 @@ INLINED wide_mask packet_hidden(World* world, PacketLine* l, wide distance, wide
 {
     wide_mask hidden = all_ids(0), doubtful = all_ids(0);
     PacketWalk walk;
-    packet_walk_begin(&walk, world, l->o, l->d, world->frame->object_count);
+    packet_walk_begin(&walk, world, l->o, l->d);
     while (any_lane(*open & ~hidden)) {
         wide_mask rays;
         const wide to = where(*open & ~hidden, distance, wide_all(-INFINITE));
         const u32 id = packet_walk_next(&walk, world, wide_all(R(0)), to, &rays);
         if (id == WALK_DONE) break;
         __global const LayoutObject* object = &world->objects[id];
-        const wide_mask want = rays & *open & ~hidden & packet_meets(l, object, distance);
+        wide_mask want = rays & *open & ~hidden & packet_meets(l, object, distance);
+        if (!any_lane(want)) continue;
+        want &= packet_meets_box(&walk, world, wide_all(R(0)), distance);
         if (!any_lane(want)) continue;
         count_lanes(world, STAT_TESTS, want);
         packet_errors(l, object);

@@ -35,7 +35,7 @@ INLINED void packet_entry(const PacketSolid* solid, const PacketLine* l, wide_ma
                 ends |= (solid->gaps[i].hi >= before) & (solid->gaps[i].hi <= after);
         /* A gap ends in another at most as often as there are gaps. */
         wide_mask moved = open;
-        for (u32 round = 0; round < solid->gap_count && any_lane(moved); round++) {
+        for (u32 round = 0; round <= solid->gap_count && any_lane(moved); round++) {
             moved = all_ids(0);
             for (u32 i = 0; i < solid->gap_count; i++) {
                 const PacketSpan* g = &solid->gaps[i];
@@ -107,7 +107,8 @@ INLINED PacketEnd packet_crossing(const World* world, __global const LayoutObjec
     solid.whole = packet_span(-INFINITE, INFINITE);
     solid.gap_count = 0;
     for (u32 i = 0; i < object->group_count; i++) {
-        PacketSpan s = packet_group(world, &world->groups[object->group_begin + i], l);
+        PacketSpan s;
+        packet_group(world, &world->groups[object->group_begin + i], l, &s);
         if (any) packet_complement(&s);
         packet_cut(&solid.whole, s.keep, &s);
         const wide_mask gap = ~s.keep & (s.lo < s.hi);
@@ -144,7 +145,8 @@ INLINED wide_mask packet_holds(const World* world, __global const LayoutObject* 
     const int any = object->form == FORM_ANY;
     wide_mask undecided = *want, decided = all_ids(0);
     for (u32 i = 0; i < object->group_count && any_lane(undecided); i++) {
-        const PacketSpan s = packet_group(world, &world->groups[object->group_begin + i], l);
+        PacketSpan s;
+        packet_group(world, &world->groups[object->group_begin + i], l, &s);
         const wide_mask doubtful =
             undecided & (s.vague | (wide_fabs(s.lo - at) <= l->tolerance) | (wide_fabs(s.hi - at) <= l->tolerance));
         *want &= ~doubtful;

@@ -5,20 +5,18 @@
 #include "kernels/packets/lanes.h"
 #include "kernels/tree.h"
 
-/* As many objects are looked at one after the other. */
-#define PACKET_LIST 64u
-
 typedef struct {
-    real o[3][LANES], inverse[3][LANES]; /* the rays' origins; 1/d, finite */
-    u32 next, last;                      /* an object of the list or a root */
-    u32 count;                           /* what waits, the nearest on top: */
+    wide_vec o, inverse;                          /* the rays' origins; 1/d, finite */
+    real o_lanes[3][LANES], over_lanes[3][LANES]; /* of a tree, the same lane by lane */
+    u32 next, last;                               /* an object of the list or a root */
+    u32 count;                                    /* what waits, the nearest on top: */
     u32 refs[CLU_WALK_CAPACITY], rays[CLU_WALK_CAPACITY];
     real near[CLU_WALK_CAPACITY]; /* of the nearest ray */
 } PacketWalk;
 
 INLINED int is_list(const World* world)
 {
-    return world->frame->object_count <= PACKET_LIST;
+    return world->frame->object_count <= LIST_CAPACITY;
 }
 
 INLINED wide wide_finite_inverse(wide x)
@@ -27,18 +25,39 @@ INLINED wide wide_finite_inverse(wide x)
     return where((x < wide_all(R(0))) & (inverse > wide_all(R(0))), -inverse, inverse);
 }
 
-/* last: of a list, how many of its objects count. */
-INLINED void packet_walk_begin(PacketWalk* walk, const World* world, wide_vec o, wide_vec d, u32 last)
+INLINED void packet_walk_begin(PacketWalk* walk, const World* world, wide_vec o, wide_vec d)
 {
     walk->next = walk->count = 0;
-    walk->last = is_list(world) ? last : world->frame->root_count;
+    walk->last = is_list(world) ? world->frame->object_count : world->frame->root_count;
+    walk->o = o;
+    walk->inverse = make_wide_vec(wide_finite_inverse(d.x), wide_finite_inverse(d.y), wide_finite_inverse(d.z));
     if (is_list(world)) return;
-    store_wide(o.x, walk->o[0]);
-    store_wide(o.y, walk->o[1]);
-    store_wide(o.z, walk->o[2]);
-    store_wide(wide_finite_inverse(d.x), walk->inverse[0]);
-    store_wide(wide_finite_inverse(d.y), walk->inverse[1]);
-    store_wide(wide_finite_inverse(d.z), walk->inverse[2]);
+    store_wide(o.x, walk->o_lanes[0]);
+    store_wide(o.y, walk->o_lanes[1]);
+    store_wide(o.z, walk->o_lanes[2]);
+    store_wide(walk->inverse.x, walk->over_lanes[0]);
+    store_wide(walk->inverse.y, walk->over_lanes[1]);
+    store_wide(walk->inverse.z, walk->over_lanes[2]);
+}
+
+INLINED void box_axis(real least, real most, wide o, wide inverse, wide* near, wide* far)
+{
+    const wide a = (wide_all(least) - o) * inverse, b = (wide_all(most) - o) * inverse;
+    *near = wide_larger(*near, wide_smaller(a, b));
+    *far = wide_smaller(*far, wide_larger(a, b));
+}
+
+/* Which of the rays meet the box of the object that the list gave last, between ray parameters from and to. */
+INLINED wide_mask packet_meets_box(const PacketWalk* walk, const World* world, wide from, wide to)
+{
+    if (!is_list(world)) return all_ids(-1);
+    __global const LayoutNode* node = &world->nodes[(walk->next - 1u) / LANES];
+    const u32 k = (walk->next - 1u) % LANES;
+    wide near = from, far = wide_all(INFINITE);
+    box_axis(R(node->bounds[0][k]), R(node->bounds[3][k]), walk->o.x, walk->inverse.x, &near, &far);
+    box_axis(R(node->bounds[1][k]), R(node->bounds[4][k]), walk->o.y, walk->inverse.y, &near, &far);
+    box_axis(R(node->bounds[2][k]), R(node->bounds[5][k]), walk->o.z, walk->inverse.z, &near, &far);
+    return near <= wide_smaller(far * (R(1) + R(8) * UNIT_ROUNDOFF), to);
 }
 
 /* A set of rays as a mask. */
@@ -62,9 +81,9 @@ INLINED void packet_walk_open(PacketWalk* walk, __global const LayoutNode* node,
     for (u32 k = 0; k < LANES; k++) met[k] = 0;
     for (; rays; rays &= rays - 1u) {
         const u32 k = first_lane(rays);
-        const real ix = walk->inverse[0][k], iy = walk->inverse[1][k], iz = walk->inverse[2][k];
+        const real ix = walk->over_lanes[0][k], iy = walk->over_lanes[1][k], iz = walk->over_lanes[2][k];
         const u32 x = ix < R(0) ? 3u : 0u, y = iy < R(0) ? 4u : 1u, z = iz < R(0) ? 5u : 2u;
-        const real ox = walk->o[0][k], oy = walk->o[1][k], oz = walk->o[2][k];
+        const real ox = walk->o_lanes[0][k], oy = walk->o_lanes[1][k], oz = walk->o_lanes[2][k];
         const wide near = wide_larger(wide_larger(reach(node->bounds[x], ox, ix), reach(node->bounds[y], oy, iy)),
                                       wide_larger(reach(node->bounds[z], oz, iz), wide_all(from_lanes[k])));
         const wide far =
@@ -121,8 +140,10 @@ static CALLED u32 packet_tree_next(PacketWalk* walk, const World* world, wide fr
 INLINED u32 packet_walk_next(PacketWalk* walk, const World* world, wide from, wide to, wide_mask* rays)
 {
     if (is_list(world)) {
+        if (walk->next == walk->last) return WALK_DONE;
+        const u32 i = walk->next++;
         *rays = all_ids(-1);
-        return walk->next < walk->last ? walk->next++ : WALK_DONE;
+        return world->nodes[i / LANES].child[i % LANES];
     }
     u32 bits = 0;
     const u32 id = packet_tree_next(walk, world, from, to, &bits);
