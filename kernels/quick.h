@@ -244,7 +244,8 @@ static CALLED int quick_holds(const World* world, u32 id, const Ray* ray, real t
     if (object->form == FORM_PROGRAM) return -1;
     for (u32 i = 0; i < object->group_count; i++) {
         const QuickSpan s = quick_group(world, &world->groups[object->group_begin + i], &line);
-        if (s.marks & QUICK_VAGUE || fabs(s.lo - at) <= line.tolerance || fabs(s.hi - at) <= line.tolerance) return -1;
+        if (s.marks & QUICK_VAGUE && s.lo <= at && at <= s.hi) return -1;
+        if (fabs(s.lo - at) <= line.tolerance || fabs(s.hi - at) <= line.tolerance) return -1;
         if (((s.lo < at && at < s.hi) == s.keep) == any) return any;
     }
     return !any;

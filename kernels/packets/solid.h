@@ -148,7 +148,8 @@ INLINED wide_mask packet_holds(const World* world, __global const LayoutObject* 
         PacketSpan s;
         packet_group(world, &world->groups[object->group_begin + i], l, &s);
         const wide_mask doubtful =
-            undecided & (s.vague | (wide_fabs(s.lo - at) <= l->tolerance) | (wide_fabs(s.hi - at) <= l->tolerance));
+            undecided & ((s.vague & (s.lo <= at) & (at <= s.hi)) | (wide_fabs(s.lo - at) <= l->tolerance) |
+                         (wide_fabs(s.hi - at) <= l->tolerance));
         *want &= ~doubtful;
         undecided &= ~doubtful;
         const wide_mask in = ~(((s.lo < at) & (at < s.hi)) ^ s.keep), done = undecided & (any ? in : ~in);
