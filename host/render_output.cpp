@@ -106,6 +106,7 @@ nlohmann::ordered_json frame_json(const Frame& frame, const Stages& stages)
               {"first_launch", t.first_enqueue},
               {"upload", t.upload},
               {"trace", t.trace},
+              {"trace_processor", t.trace_cpu},
               {"write", t.rows + stages.write}}},
             {"rays_per_second", rays_per_second(frame)},
             {"statistics", std::move(statistics)}};

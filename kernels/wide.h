@@ -7,7 +7,10 @@
 #define LANES 8u
 
 /* What one instruction does where there is one: a bit of each lane's sign. */
-#if defined(__AVX__) && !defined(CLU_DOUBLE)
+#if defined(__AVX512DQ__) && defined(__AVX512VL__) && !defined(CLU_DOUBLE)
+typedef int avx_int8 __attribute__((vector_size(32)));
+#define WIDE_BITS(m) ((u32)__builtin_ia32_cvtd2mask256((avx_int8)(m)) & 255u)
+#elif defined(__AVX__) && !defined(CLU_DOUBLE)
 typedef float avx_float8 __attribute__((vector_size(32)));
 #define WIDE_BITS(m) ((u32)__builtin_ia32_movmskps256((avx_float8)(m)))
 #endif

@@ -34,7 +34,7 @@ INLINED void packet_complement(PacketSpan* s)
 }
 
 /* A group's span; where it does not keep it has two ends. */
-static CALLED void packet_group(const World* world, __global const LayoutGroup* group, const PacketLine* l,
+INLINED void packet_group(const World* world, __global const LayoutGroup* group, const PacketLine* l,
                                 PacketSpan* s)
 {
     *s = packet_span(-INFINITE, INFINITE);
