@@ -3,7 +3,7 @@
  * only the compiler inlines there, as it does in the OpenCL kernel. */
 #include "kernels/native_api.h"
 
-#include "kernels/observer.h"
+#include "kernels/packets/trace.h"
 
 #ifdef CLU_FULL_SEARCH
 #define NATIVE(name) name##_full
@@ -80,6 +80,28 @@ void NATIVE(native_render)(const NativeScene* scene, u32 x0, u32 y0, u32 width, 
                 pixel[0] += (float)color.r;
                 pixel[1] += (float)color.g;
                 pixel[2] += (float)color.b;
+            }
+        }
+    }
+    add_stats(&world, stats);
+}
+
+void NATIVE(native_render_packets)(const NativeScene* scene, u32 x0, u32 y0, u32 width, u32 height, u32 sample_begin,
+                                   u32 sample_end, float* rgba, u32* stats)
+{
+    World world = make_world(scene);
+    for (u32 at_y = 0; at_y < height; at_y += PACKET_TILE) {
+        for (u32 at_x = 0; at_x < width; at_x += PACKET_TILE) {
+            const PixelBlock block = {x0 + at_x, y0 + at_y, width - at_x < PACKET_TILE ? width - at_x : PACKET_TILE,
+                                      height - at_y < PACKET_TILE ? height - at_y : PACKET_TILE};
+            TileLight light;
+            trace_block(&world, &block, sample_begin, sample_end, &light);
+            for (u32 j = 0; j < block.height; j++) {
+                for (u32 i = 0; i < block.width; i++) {
+                    float* pixel = rgba + 4 * ((size_t)(at_y + j) * width + at_x + i);
+                    for (u32 k = 0; k < 3; k++) pixel[k] = (float)light.sums[j * PACKET_TILE + i][k];
+                    pixel[3] = 0;
+                }
             }
         }
     }

@@ -37,6 +37,11 @@ void native_render_f(const NativeScene* scene, u32 x0, u32 y0, u32 width, u32 he
                      float* rgba, u32* stats);
 void native_render_d(const NativeScene* scene, u32 x0, u32 y0, u32 width, u32 height, u32 sample_begin, u32 sample_end,
                      float* rgba, u32* stats);
+/* Likewise by packets of rays. */
+void native_render_packets_f(const NativeScene* scene, u32 x0, u32 y0, u32 width, u32 height, u32 sample_begin,
+                             u32 sample_end, float* rgba, u32* stats);
+void native_render_packets_d(const NativeScene* scene, u32 x0, u32 y0, u32 width, u32 height, u32 sample_begin,
+                             u32 sample_end, float* rgba, u32* stats);
 /* Likewise in float, by the full search alone. */
 void native_render_full(const NativeScene* scene, u32 x0, u32 y0, u32 width, u32 height, u32 sample_begin,
                         u32 sample_end, float* rgba, u32* stats);

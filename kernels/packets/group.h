@@ -12,30 +12,43 @@ INLINED void packet_cut(PacketSpan* s, wide_mask in, const PacketSpan* by)
     s->hi = where(sooner, by->hi, s->hi);
     s->face_lo = where_id(later, by->face_lo, s->face_lo);
     s->face_hi = where_id(sooner, by->face_hi, s->face_hi);
-    s->vague |= in & by->vague;
+    s->lo_in = where(in, wide_larger(by->lo_in, s->lo_in), s->lo_in);
+    s->hi_in = where(in, wide_smaller(by->hi_in, s->hi_in), s->hi_in);
 }
 
-/* Inside out. One that then starts or ends nowhere keeps one side of an end; where that is vague, nothing is known. */
+/* Whether an end is vague. */
+INLINED wide_mask vague_lo(const PacketSpan* s)
+{
+    return s->lo_in > s->lo;
+}
+INLINED wide_mask vague_hi(const PacketSpan* s)
+{
+    return s->hi_in < s->hi;
+}
+
+/* Inside out. One that then starts or ends nowhere keeps one side of an end. */
 INLINED void packet_complement(PacketSpan* s)
 {
     const wide infinite = wide_all(INFINITE);
     s->keep = ~s->keep;
     const wide_mask begins = s->lo > -infinite, ends = s->hi < infinite, one_sided = ~s->keep & ~(begins & ends);
     if (!any_lane(one_sided)) return;
-    const wide_mask before = one_sided & begins & ~s->vague, after = one_sided & ends & ~begins & ~s->vague;
-    const wide_mask nothing = one_sided & ~begins & ~ends & ~s->vague;
-    const wide lo = s->lo, hi = s->hi;
+    const wide_mask before = one_sided & begins, after = one_sided & ends;
+    const wide_mask all = one_sided & ~begins & ~ends, maybe = all & vague_lo(s);
+    const wide lo = s->lo, hi = s->hi, lo_in = s->lo_in, hi_in = s->hi_in;
     const wide_id face_lo = s->face_lo;
-    s->lo = where(after, hi, where(nothing, infinite, where(one_sided, -infinite, lo)));
-    s->hi = where(before, lo, where(nothing, -infinite, where(one_sided, infinite, hi)));
+    /* What was all of the line is nothing; what was perhaps all is perhaps nothing. */
+    s->lo = where(after, hi_in, where(before, -infinite, where(all & ~maybe, infinite, lo)));
+    s->hi = where(before, lo_in, where(after, infinite, where(all & ~maybe, -infinite, hi)));
+    s->lo_in = where(after, hi, where(before, -infinite, where(all, infinite, lo_in)));
+    s->hi_in = where(before, lo, where(after, infinite, where(all, -infinite, hi_in)));
     s->face_lo = where_id(after, s->face_hi, face_lo);
     s->face_hi = where_id(before, face_lo, s->face_hi);
     s->keep |= one_sided;
 }
 
 /* A group's span; where it does not keep it has two ends. */
-INLINED void packet_group(const World* world, __global const LayoutGroup* group, const PacketLine* l,
-                                PacketSpan* s)
+INLINED void packet_group(const World* world, __global const LayoutGroup* group, const PacketLine* l, PacketSpan* s)
 {
     *s = packet_span(-INFINITE, INFINITE);
     for (u32 i = 0; i < group->count; i++) {
@@ -56,7 +69,8 @@ INLINED void packet_group(const World* world, __global const LayoutGroup* group,
     if (any_lane(thin)) {
         s->lo = where(thin, s->lo - l->tolerance, s->lo);
         s->hi = where(thin, s->hi + l->tolerance, s->hi);
-        s->vague |= thin;
+        s->lo_in = where(thin, wide_all(INFINITE), s->lo_in);
+        s->hi_in = where(thin, wide_all(-INFINITE), s->hi_in);
     }
     if (group->inverse) {
         packet_complement(s);

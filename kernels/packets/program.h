@@ -60,7 +60,8 @@ INLINED wide_mask program_doubt(const PacketProgram* program, wide at, wide tole
         const PacketSpan* s = &program->groups[i];
         const wide_mask near_lo = (wide_fabs(s->lo - at) <= tolerance) & ~(s->lo == known);
         const wide_mask near_hi = (wide_fabs(s->hi - at) <= tolerance) & ~(s->hi == known);
-        doubt |= near_lo | near_hi | (s->vague & (s->lo <= at) & (s->hi >= at));
+        const wide_mask within = (at >= s->lo) & (at <= s->hi);
+        doubt |= near_lo | near_hi | (within & ((at < s->lo_in) | ((at >= s->hi_in) & vague_hi(s))));
     }
     return doubt;
 }
@@ -85,14 +86,14 @@ INLINED void packet_program_crossing(const World* world, __global const LayoutOb
             const PacketSpan* s = &program.groups[i];
             const wide_mask some = s->lo < s->hi;
             const wide lo = where(some & (s->lo > at), s->lo, infinite),
-                       hi = where(some & (s->hi > at), s->hi, infinite);
+                       hi = where(some & (s->hi_in > at), s->hi_in, infinite);
             second = wide_smaller(second, wide_larger(next, lo));
             face = where_id(lo < next, s->face_lo, face);
-            vague = where_id(lo < next, s->vague, vague);
+            vague = where_id(lo < next, vague_lo(s), vague);
             next = wide_smaller(next, lo);
             second = wide_smaller(second, wide_larger(next, hi));
             face = where_id(hi < next, s->face_hi, face);
-            vague = where_id(hi < next, s->vague, vague);
+            vague = where_id(hi < next, vague_hi(s), vague);
             next = wide_smaller(next, hi);
         }
         open &= next < infinite;

@@ -137,17 +137,18 @@ typedef struct {
     wide r, g, b;
 } wide_rgb;
 
-INLINED wide_rgb load_colors(const real rows[3][LANES])
+/* Three rows of lanes, one after the other. */
+INLINED wide_rgb load_colors(const real* rows)
 {
     wide_rgb c;
-    c.r = load_lanes(rows[0]);
-    c.g = load_lanes(rows[1]);
-    c.b = load_lanes(rows[2]);
+    c.r = load_lanes(rows);
+    c.g = load_lanes(rows + LANES);
+    c.b = load_lanes(rows + 2 * LANES);
     return c;
 }
-INLINED wide_vec load_vecs(const real rows[3][LANES])
+INLINED wide_vec load_vecs(const real* rows)
 {
-    return make_wide_vec(load_lanes(rows[0]), load_lanes(rows[1]), load_lanes(rows[2]));
+    return make_wide_vec(load_lanes(rows), load_lanes(rows + LANES), load_lanes(rows + 2 * LANES));
 }
 INLINED wide_rgb wide_filter(wide_rgb a, wide_rgb b)
 {
@@ -183,7 +184,7 @@ INLINED void count_cut(World* world, u32 stat, wide_mask cut, wide_rgb weight)
 INLINED void push_rays(World* world, PacketStacks* stacks, wide_mask which, const Shading* h, u32 refracted, wide_vec d,
                        wide_rgb filter, wide_rgb weight, const Packet* from)
 {
-    const wide_rgb throughput = wide_filter(load_colors(&from->rows[ROW_THROUGHPUT]), filter);
+    const wide_rgb throughput = wide_filter(load_colors(from->rows[ROW_THROUGHPUT]), filter);
     weight = wide_filter(weight, filter);
     const wide most = wide_rgb_largest(throughput);
     const wide_id tag = load_ids(from->ids[ID_TAG]) - all_ids(1 << PIXEL_BITS);
@@ -195,7 +196,7 @@ INLINED void push_rays(World* world, PacketStacks* stacks, wide_mask which, cons
     const u32 go = wide_bits(some & ~cut & ~last);
     if (!go) return;
     Packet rays;
-    put_vec(&rays, ROW_O, load_vecs(h->p));
+    put_vec(&rays, ROW_O, load_vecs(h->p[0]));
     put_vec(&rays, ROW_D, d);
     store_wide(wide_length_excess(d), rays.rows[ROW_EXCESS]);
     store_wide(load_lanes(h->err), rays.rows[ROW_ERR]);
@@ -259,7 +260,7 @@ INLINED void shade_refraction(World* world, PacketStacks* stacks, wide_mask met,
     if (!any_lane(transparent)) return;
     const wide w = load_lanes(h->w), cosine = load_lanes(h->cosine), det = wide_refraction_det(w, cosine);
     const wide_mask passes = transparent & (det >= zero);
-    wide_rgb filter = load_colors(h->refraction);
+    wide_rgb filter = load_colors(h->refraction[0]);
 #ifndef CLU_AS_GUN
     const wide_mask total = transparent & ~passes;
     reflection->r = where(total, wide_smaller(reflection->r + filter.r, one), reflection->r);
@@ -273,7 +274,7 @@ INLINED void shade_refraction(World* world, PacketStacks* stacks, wide_mask met,
     filter = wide_rgb_scaled(filter, where(weighed, one - reflectance, one));
     *reflection = wide_rgb_scaled(*reflection, where(weighed, reflectance, one));
 #endif
-    const wide_vec out = wide_refracted(d, load_vecs(h->facing), w, cosine, root);
+    const wide_vec out = wide_refracted(d, load_vecs(h->facing[0]), w, cosine, root);
     push_rays(world, stacks, passes & load_ids(h->after_open), h, 1, out, filter, weight, packet);
 }
 #endif
@@ -283,7 +284,7 @@ INLINED void shade_reflection(World* world, PacketStacks* stacks, wide_mask met,
 {
     const wide_mask open = met & load_ids(h->before_open);
     if (!any_lane(open)) return;
-    const wide_vec facing = load_vecs(h->facing);
+    const wide_vec facing = load_vecs(h->facing[0]);
     const wide twice = R(2) * load_lanes(h->cosine);
     const wide_vec out = wide_renormalized(wide_along(d, facing, wide_fma(-twice, wide_length_excess(facing), twice)));
     push_rays(world, stacks, open, h, 0, out, reflection, weight, packet);
@@ -312,13 +313,13 @@ INLINED void shade_light(World* world, wide_mask lightable, const Shading* h, u3
 {
     __global const LayoutLight* source = &world->lights[number];
     const rgb color = load_rgb(source->color);
-    const wide_vec p = load_vecs(h->p), away = wide_less(p, source->point);
+    const wide_vec p = load_vecs(h->p[0]), away = wide_less(p, source->point);
     const wide distance = wide_sqrt(wide_dot(away, away)), zero = wide_all(R(0));
     const wide_vec d = wide_scaled(away, R(-1) / distance);
-    const wide cosine = wide_dot(load_vecs(h->n), d);
+    const wide cosine = wide_dot(load_vecs(h->n[0]), d);
     wide_mask lit = lightable & (distance > zero) & (cosine > zero);
 #ifdef CLU_AS_GUN
-    const wide_rgb absorption = load_colors(h->absorption);
+    const wide_rgb absorption = load_colors(h->absorption[0]);
     lit &= ~(wide_larger(absorption.r * color.r, wide_larger(absorption.g * color.g, absorption.b * color.b)) <
              wide_all(R(world->frame->cutoff)));
 #endif
@@ -372,9 +373,9 @@ INLINED void shade_packet(World* world, PacketStacks* stacks, const Packet* pack
         for (u32 i = 0; i < world->frame->light_count; i++) shade_light(world, lightable, &h, i, packet, light);
 #endif
     const wide_vec d = packet_vec(packet, ROW_D);
-    wide_rgb reflection = load_colors(h.reflection), weight = load_colors(&packet->rows[ROW_WEIGHT]);
+    wide_rgb reflection = load_colors(h.reflection[0]), weight = load_colors(packet->rows[ROW_WEIGHT]);
 #ifdef CLU_EXTINCTION
-    const wide_rgb e = load_colors(h.extinction);
+    const wide_rgb e = load_colors(h.extinction[0]);
     const wide zero = wide_all(R(0));
     if (any_lane(met & ((e.r != zero) | (e.g != zero) | (e.b != zero)))) {
         const wide t = load_lanes(h.t);

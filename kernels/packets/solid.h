@@ -18,13 +18,14 @@ INLINED void packet_entry(const PacketSolid* solid, const PacketLine* l, wide_ma
     const PacketSpan* whole = &solid->whole;
     const wide from = l->start, tolerance = l->tolerance, before = from - tolerance, after = from + tolerance;
     const wide_mask left = (whole->hi == from) & ((whole->face_hi & all_ids(~(int)MEMBER_INVERSE)) == l->left);
-    open &= ~((whole->hi < before) | left | ((whole->hi < after) & (whole->lo < before) & ~whole->vague));
+    open &= ~((whole->hi < before) | left | ((whole->hi < after) & (whole->lo < before)));
     if (!any_lane(open)) return;
-    packet_unsure(e, &open, whole->vague | (whole->hi < wide_larger(whole->lo, from) + tolerance),
+    const wide_mask within = ~(whole->lo > after);
+    packet_unsure(e, &open,
+                  where_id(within, whole->lo_in > before, vague_lo(whole)) |
+                      (whole->hi_in < wide_larger(whole->lo, from) + tolerance),
                   wide_larger(wide_smaller(whole->lo, whole->hi) - tolerance, from));
     /* Within the whole the ray must begin in a gap. */
-    const wide_mask within = ~(whole->lo > after);
-    packet_unsure(e, &open, within & (whole->lo > before), from);
     wide t = where(within, from, whole->lo);
     wide_id face = whole->face_lo;
     if (solid->gap_count) {
@@ -43,8 +44,10 @@ INLINED void packet_entry(const PacketSolid* solid, const PacketLine* l, wide_ma
                 if (!any_lane(meets)) continue;
                 const wide_mask own = (g->lo == from) & ((g->face_lo & all_ids(~(int)MEMBER_INVERSE)) == l->left);
                 const wide_mask here = (t == from) & (~ends | own);
-                packet_unsure(e, &open,
-                              meets & (g->vague | (g->hi < t + tolerance) | ((g->lo > t - tolerance) & ~here)), t);
+                packet_unsure(
+                    e, &open,
+                    meets & (vague_lo(g) | vague_hi(g) | (g->hi < t + tolerance) | ((g->lo > t - tolerance) & ~here)),
+                    t);
                 const wide_mask passes = meets & open;
                 t = where(passes, g->hi, t);
                 face = where_id(passes, g->face_hi, face);
@@ -58,7 +61,7 @@ INLINED void packet_entry(const PacketSolid* solid, const PacketLine* l, wide_ma
         packet_unsure(e, &open, within, from);
     }
     open &= ~(t > whole->hi + tolerance);
-    packet_unsure(e, &open, ~(t < whole->hi - tolerance), whole->hi - tolerance);
+    packet_unsure(e, &open, ~(t < whole->hi_in - tolerance), wide_smaller(t, whole->hi_in - tolerance));
     e->t = where(open, t, e->t);
     e->face = where_id(open, face, e->face);
     e->sure |= open;
@@ -70,14 +73,14 @@ INLINED void packet_exit(const PacketSolid* solid, const PacketLine* l, wide_mas
 {
     const PacketSpan* whole = &solid->whole;
     const wide from = l->start, before = from - l->tolerance, after = from + l->tolerance;
-    packet_unsure(e, &open, whole->vague | (whole->lo > after) | ~(whole->hi > after), from);
-    wide t = whole->hi, second = wide_all(INFINITE);
+    packet_unsure(e, &open, (whole->lo > after) | ~(whole->hi > after), from);
+    wide t = whole->hi, second = where(vague_hi(whole), whole->hi_in, wide_all(INFINITE));
     wide_id face = whole->face_hi;
     for (u32 i = 0; i < solid->gap_count; i++) {
         const PacketSpan* g = &solid->gaps[i];
-        const wide_mask behind = (g->hi < after) & (g->lo < before) & ~g->vague;
+        const wide_mask behind = (g->hi < after) & (g->lo < before), vague = vague_lo(g) | vague_hi(g);
         packet_unsure(e, &open, ~behind & (g->lo < after), from);
-        const wide_mask ahead = open & ~behind, nearer = ahead & ~g->vague & (g->lo < t);
+        const wide_mask ahead = open & ~behind, nearer = ahead & ~vague & (g->lo < t);
         second = where(ahead, wide_smaller(second, where(nearer, t, g->lo)), second);
         t = where(nearer, g->lo, t);
         face = where_id(nearer, g->face_lo, face);
@@ -118,7 +121,8 @@ INLINED PacketEnd packet_crossing(const World* world, __global const LayoutObjec
             } else {
                 s.lo = where(gap, s.lo, wide_all(INFINITE));
                 s.hi = where(gap, s.hi, wide_all(-INFINITE));
-                s.vague &= gap;
+                s.lo_in = where(gap, s.lo_in, wide_all(INFINITE));
+                s.hi_in = where(gap, s.hi_in, wide_all(-INFINITE));
                 solid.gaps[solid.gap_count++] = s;
             }
         }
@@ -147,9 +151,10 @@ INLINED wide_mask packet_holds(const World* world, __global const LayoutObject* 
     for (u32 i = 0; i < object->group_count && any_lane(undecided); i++) {
         PacketSpan s;
         packet_group(world, &world->groups[object->group_begin + i], l, &s);
-        const wide_mask doubtful =
-            undecided & ((s.vague & (s.lo <= at) & (at <= s.hi)) | (wide_fabs(s.lo - at) <= l->tolerance) |
-                         (wide_fabs(s.hi - at) <= l->tolerance));
+        const wide tolerance = l->tolerance;
+        const wide_mask at_lo = (at >= s.lo - tolerance) & (at <= wide_smaller(s.lo_in, s.hi) + tolerance);
+        const wide_mask at_hi = (at <= s.hi + tolerance) & (at >= wide_larger(s.hi_in, s.lo) - tolerance);
+        const wide_mask doubtful = undecided & (at_lo | at_hi);
         *want &= ~doubtful;
         undecided &= ~doubtful;
         const wide_mask in = ~(((s.lo < at) & (at < s.hi)) ^ s.keep), done = undecided & (any ? in : ~in);

@@ -16,38 +16,49 @@ typedef struct {
     wide start, error, tolerance;
 } PacketLine;
 
-/* The ends of a solid on the lines. */
+/* The ends of a solid on the lines. One that is vague lies somewhere between lo and lo_in, or hi_in and hi; if lo_in is
+ * beyond hi_in, there may be nothing between the ends. */
 typedef struct {
-    wide lo, hi;
+    wide lo, hi, lo_in, hi_in;
     wide_id face_lo, face_hi;
-    wide_mask vague; /* the ends lie outwards of where they are */
-    wide_mask keep;  /* inside is lo..hi; else inside is all but lo..hi */
+    wide_mask keep; /* inside is lo..hi; else inside is all but lo..hi */
 } PacketSpan;
 
 INLINED PacketSpan packet_span(real lo, real hi)
 {
     PacketSpan s;
-    s.lo = wide_all(lo);
-    s.hi = wide_all(hi);
+    s.lo = s.lo_in = wide_all(lo);
+    s.hi = s.hi_in = wide_all(hi);
     s.face_lo = s.face_hi = all_ids((int)MEMBER_NONE);
-    s.vague = all_ids(0);
     s.keep = all_ids(-1);
     return s;
+}
+
+/* Where the lines may meet nothing at all. */
+INLINED void packet_vague(PacketSpan* s, wide_mask vague)
+{
+    s->lo_in = where(vague, wide_all(INFINITE), s->lo);
+    s->hi_in = where(vague, wide_all(-INFINITE), s->hi);
 }
 
 /* Where rays have left the solid and meet it no more, or (chord) meet it again. */
 INLINED void packet_left(const PacketLine* l, wide_mask left, PacketSpan* s)
 {
-    s->lo = where(left, where(l->left_inside, l->start, wide_all(-INFINITE)), s->lo);
-    s->hi = where(left, where(l->left_inside, wide_all(INFINITE), l->start), s->hi);
-    s->vague &= ~left;
+    const wide lo = where(l->left_inside, l->start, wide_all(-INFINITE));
+    const wide hi = where(l->left_inside, wide_all(INFINITE), l->start);
+    s->lo = where(left, lo, s->lo);
+    s->hi = where(left, hi, s->hi);
+    s->lo_in = where(left, lo, s->lo_in);
+    s->hi_in = where(left, hi, s->hi_in);
     s->keep |= left;
 }
 INLINED void packet_chord(const PacketLine* l, wide_mask chord, wide length, wide_mask vague, PacketSpan* s)
 {
+    const wide hi = l->start + length;
     s->lo = where(chord, l->start, s->lo);
-    s->hi = where(chord, l->start + length, s->hi);
-    s->vague = where_id(chord, vague | ~(length > l->tolerance), s->vague);
+    s->lo_in = where(chord, l->start, s->lo_in);
+    s->hi = where(chord, hi, s->hi);
+    s->hi_in = where(chord, where(vague | ~(length > l->tolerance), l->start, hi), s->hi_in);
     s->keep = where_id(chord, l->left_inside, s->keep);
 }
 
@@ -58,15 +69,21 @@ INLINED void packet_plane(__global const LayoutPlane* plane, u32 member, const P
     const wide zero = wide_all(R(0)), least = wide_all(R(1e-30f));
     wide nd = wide_dot_shared(plane->n, l->d);
     nd = where(wide_fabs(nd) < least, least, nd);
-    wide_mask flat = wide_fabs(nd) < wide_all(R(1) / QUICK_SLOPE);
+    const wide_mask flat = wide_fabs(nd) < wide_all(R(1) / QUICK_SLOPE);
     const wide height = wide_dot_shared(plane->n, l->base) - wide_all(R(plane->h)) - where(flat, l->error, zero);
     const wide over = wide_all(R(1)) / nd, t = -height * over;
     const wide_mask enters = nd < zero, left = wide_is(l->left, member);
-    wide lo = where(enters, t, wide_all(-INFINITE)), hi = where(enters, wide_all(INFINITE), t);
+    wide lo = where(enters, t, wide_all(-INFINITE)), hi = where(enters, wide_all(INFINITE), t), lo_in = lo, hi_in = hi;
+    if (any_lane(flat)) {
+        const wide inner = wide_fma(R(-2) * l->error, over, t);
+        lo_in = where(flat & enters, inner, lo);
+        hi_in = where(flat & ~enters, inner, hi);
+    }
     if (any_lane(left)) {
         lo = where(left, where(l->left_inside, l->start, wide_all(-INFINITE)), lo);
         hi = where(left, where(l->left_inside, wide_all(INFINITE), l->start), hi);
-        flat &= ~left;
+        lo_in = where(left, lo, lo_in);
+        hi_in = where(left, hi, hi_in);
     }
     const wide_mask later = lo > s->lo, sooner = hi < s->hi;
     const wide_id face = all_ids((int)member);
@@ -74,10 +91,8 @@ INLINED void packet_plane(__global const LayoutPlane* plane, u32 member, const P
     s->hi = where(sooner, hi, s->hi);
     s->face_lo = where_id(later, face, s->face_lo);
     s->face_hi = where_id(sooner, face, s->face_hi);
-    if (any_lane(flat)) {
-        const wide inwards = wide_fma(R(-2) * l->error, over, t);
-        s->vague |= flat & ((enters & (inwards > s->lo)) | (~enters & (inwards < s->hi)));
-    }
+    s->lo_in = wide_larger(lo_in, s->lo_in);
+    s->hi_in = wide_smaller(hi_in, s->hi_in);
 }
 #endif
 
@@ -95,7 +110,7 @@ INLINED void packet_sphere(__global const LayoutSphere* sphere, u32 member, cons
     const wide half_chord = wide_sqrt(wide_larger(discriminant, zero) + where(near, doubt, zero));
     s->lo = where(none, wide_all(INFINITE), -b - half_chord);
     s->hi = where(none, wide_all(-INFINITE), half_chord - b);
-    s->vague = near & ~none;
+    packet_vague(s, near & ~none);
     const wide_mask left = wide_is(l->left, member);
     if (any_lane(left)) {
         const wide back = wide_dot(wide_less(l->origin, sphere->c), l->d);
@@ -117,32 +132,48 @@ INLINED void packet_quadric(__global const LayoutQuadric* q, u32 member, const P
     const real sx = R(q->s[0]), sy = R(q->s[1]), sz = R(q->s[2]), g = R(q->g), norm = square(R(q->norm));
     const wide_vec d = wide_apply(q->m, l->d), sd = make_wide_vec(sx * d.x, sy * d.y, sz * d.z);
     const wide a = wide_dot(sd, d), over = wide_all(R(1)) / a;
-    const wide_mask flat = ~(wide_fabs(a) > R(1e-3f) * wide_dot(d, d));
+    const wide dd = wide_dot(d, d);
+    const wide_mask flat = ~(wide_fabs(a) > R(1e-5f) * dd), flattish = ~(wide_fabs(a) > R(1e-3f) * dd);
     const wide_vec x = wide_apply(q->m, wide_less(l->base, q->c)), gradient = packet_gradient(q, x);
     const wide b = wide_dot(gradient, d);
+    const wide c = wide_fma(wide_fma(wide_all(sz), x.z, wide_all(R(-2) * g)), x.z,
+                            wide_fma(sx * x.x, x.x, wide_fma(sy * x.y, x.y, wide_all(R(q->w)))));
     const wide kx = wide_fma(x.y, d.z, -x.z * d.y), ky = wide_fma(x.z, d.x, -x.x * d.z),
                kz = wide_fma(x.x, d.y, -x.y * d.x);
     const wide up = g * d.z, across = sx * d.x * ky - sy * d.y * kx;
     const wide moment = wide_fma(sx * sy * kz, kz, wide_fma(sy * sz * kx, kx, sx * sz * ky * ky));
     const wide discriminant = wide_fma(up, up, wide_fma(wide_all(R(2) * g), across, -moment - R(q->w) * a));
-    const wide middle = -b * over, some = wide_larger(discriminant, zero);
-    const wide_vec halfway = wide_along(gradient, sd, middle);
-    const wide steep = norm * wide_fma(wide_dot(sd, sd), some * over * over, wide_dot(halfway, halfway));
-    const wide doubt = wide_fma(steep, wide_all(R(2) / (QUICK_SLOPE * QUICK_SLOPE)),
-                                norm * l->tolerance * l->tolerance * wide_larger(wide_fabs(a), wide_all(norm)));
-    const wide_mask none = discriminant < -doubt, near = discriminant < doubt, hollow = a < zero;
-    const wide reach = wide_sqrt(some + where(near, doubt, zero)) * wide_fabs(over);
+    /* The ends, the nearer one without cancellation, and how steep they are. */
+    const wide root = wide_sqrt(wide_larger(discriminant, zero)), sum = -b - where(b < zero, -root, root);
+    const wide_mask real_ends = discriminant > zero;
+    const wide middle = -b * over, one = where(real_ends, c / sum, middle),
+               other = where(real_ends, sum * over, middle);
+    const wide lo = wide_smaller(one, other), hi = wide_larger(one, other);
+    const wide_vec at_lo = wide_along(gradient, sd, lo), at_hi = wide_along(gradient, sd, hi);
+    const real steep = norm * R(2) / (QUICK_SLOPE * QUICK_SLOPE);
+    const wide rounded = norm * l->tolerance * l->tolerance * wide_larger(wide_fabs(a), wide_all(norm));
+    const wide doubt_lo = wide_fma(wide_all(steep), wide_dot(at_lo, at_lo), rounded);
+    const wide doubt_hi = wide_fma(wide_all(steep), wide_dot(at_hi, at_hi), rounded);
+    const wide doubt = wide_smaller(doubt_lo, doubt_hi);
+    const wide_mask none = ~flat & (discriminant < -wide_larger(doubt_lo, doubt_hi));
+    const wide_mask near = flat | (~none & (discriminant < doubt)), hollow = a < zero;
+    /* Of a line that is nearly flat, the farther end is as good as a, which has cancelled. */
+    const wide_mask vague_lo = near | ~(discriminant > doubt_lo) | (flattish & (other < one));
+    const wide_mask vague_hi = near | ~(discriminant > doubt_hi) | (flattish & (other > one));
     /* Of what is not met, all or nothing is inside. */
     const wide nowhere = where(hollow, wide_all(-INFINITE), wide_all(INFINITE));
-    s->lo = where(none, nowhere, middle - reach);
-    s->hi = where(none, -nowhere, middle + reach);
-    s->vague = near & ~none;
-    s->keep = none | ~hollow;
-    if (any_lane(flat)) {
-        s->lo = where(flat, wide_all(-INFINITE), s->lo);
-        s->hi = where(flat, wide_all(INFINITE), s->hi);
-        s->vague |= flat;
-        s->keep |= flat;
+    s->lo = s->lo_in = where(none, nowhere, lo);
+    s->hi = s->hi_in = where(none, -nowhere, hi);
+    s->keep = none | flat | ~hollow;
+    if (any_lane(~none & (vague_lo | vague_hi))) {
+        const wide off = R(16) * UNIT_ROUNDOFF * wide_fabs(middle * over) * dd;
+        const wide out_lo = wide_sqrt(wide_larger(discriminant, zero) + doubt_lo) * wide_fabs(over);
+        const wide out_hi = wide_sqrt(wide_larger(discriminant, zero) + doubt_hi) * wide_fabs(over);
+        const wide_mask lower = ~none & vague_lo, upper = ~none & vague_hi;
+        s->lo = where(lower, where(flat, wide_all(-INFINITE), middle - out_lo - off), s->lo);
+        s->hi = where(upper, where(flat, wide_all(INFINITE), middle + out_hi + off), s->hi);
+        s->lo_in = where(lower, where(near, wide_all(INFINITE), middle), s->lo_in);
+        s->hi_in = where(upper, where(near, wide_all(-INFINITE), middle), s->hi_in);
     }
     const wide_mask left = wide_is(l->left, member);
     if (any_lane(left)) {
@@ -172,7 +203,7 @@ INLINED PacketSpan packet_member(const World* world, u32 member, const PacketLin
 #ifdef CLU_QUADRIC
     case MEMBER_QUADRIC: packet_quadric(&world->quadrics[index], face, l, &s); break;
 #endif
-    default: s.vague = all_ids(-1); break; /* a torus has two intervals */
+    default: packet_vague(&s, all_ids(-1)); break; /* a torus has two intervals */
     }
     if (member & MEMBER_INVERSE) s.keep = ~s.keep;
     s.face_lo = s.face_hi = all_ids((int)member);

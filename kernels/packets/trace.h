@@ -58,7 +58,7 @@ INLINED void observe_packet(World* world, const PixelBlock* block, u32 place, u3
         packet->ids[ID_LEFT][k] = (int)MEMBER_NONE;
         packet->ids[ID_LEFT_INSIDE][k] = 0;
         packet->ids[ID_MEDIUM][k] = MEDIUM_NO_RAY;
-        packet->ids[ID_TAG][k] = (int)(j * PACKET_TILE + i | f->max_hops << PIXEL_BITS);
+        packet->ids[ID_TAG][k] = (int)((j * PACKET_TILE + i) | (f->max_hops << PIXEL_BITS));
         packet->rows[ROW_ERR][k] = R(0);
         for (u32 row = ROW_THROUGHPUT; row < ROW_COUNT; row++) packet->rows[row][k] = R(1);
         within |= (i < block->width && j < block->height ? 1u : 0u) << k;
