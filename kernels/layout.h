@@ -9,9 +9,11 @@
 
 #ifdef __OPENCL_VERSION__
 typedef uint u32;
+typedef ulong u64;
 #else
 #include <stdint.h>
 typedef uint32_t u32;
+typedef uint64_t u64;
 #endif
 
 /* The scene's buffers, in the order of the kernel's arguments. */

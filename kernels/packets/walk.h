@@ -70,36 +70,34 @@ INLINED wide_mask rays_mask(u32 rays)
 }
 
 /* Puts the node's children that one of the rays meets between from and to onto the stack, sorted down to base. */
-INLINED void packet_walk_open(PacketWalk* walk, __global const LayoutNode* node, u32 rays, wide from, wide to, u32 base)
+INLINED void packet_walk_open(PacketWalk* walk, __global const LayoutNode* node, u32 rays, const real from[LANES],
+                              const real to[LANES], u32 base)
 {
-    real from_lanes[LANES], to_lanes[LANES], nearest_lanes[LANES];
-    u32 met[LANES];
-    store_wide(from, from_lanes);
-    store_wide(to, to_lanes);
     wide nearest = wide_all(INFINITE);
-    u32 some = 0;
-    for (u32 k = 0; k < LANES; k++) met[k] = 0;
+    real nearest_lanes[LANES];
+    u64 met = 0; /* a byte for each ray, of the children that it meets */
     for (; rays; rays &= rays - 1u) {
         const u32 k = first_lane(rays);
         const real ix = walk->over_lanes[0][k], iy = walk->over_lanes[1][k], iz = walk->over_lanes[2][k];
-        const u32 x = ix < R(0) ? 3u : 0u, y = iy < R(0) ? 4u : 1u, z = iz < R(0) ? 5u : 2u;
         const real ox = walk->o_lanes[0][k], oy = walk->o_lanes[1][k], oz = walk->o_lanes[2][k];
+        const u32 x = ix < R(0) ? 3u : 0u, y = iy < R(0) ? 4u : 1u, z = iz < R(0) ? 5u : 2u;
         const wide near = wide_larger(wide_larger(reach(node->bounds[x], ox, ix), reach(node->bounds[y], oy, iy)),
-                                      wide_larger(reach(node->bounds[z], oz, iz), wide_all(from_lanes[k])));
+                                      wide_larger(reach(node->bounds[z], oz, iz), wide_all(from[k])));
         const wide far =
             wide_smaller(wide_smaller(reach(node->bounds[3u - x], ox, ix), reach(node->bounds[5u - y], oy, iy)),
                          reach(node->bounds[7u - z], oz, iz)) *
             wide_all(R(1) + R(8) * UNIT_ROUNDOFF);
-        const wide_mask hit = near <= wide_smaller(far, wide_all(to_lanes[k]));
+        const wide_mask hit = near <= wide_smaller(far, wide_all(to[k]));
         nearest = where(hit, wide_smaller(near, nearest), nearest);
-        met[k] = wide_bits(hit);
-        some |= met[k];
+        met |= (u64)wide_bits(hit) << (8u * k);
     }
+    if (!met) return;
     store_wide(nearest, nearest_lanes);
-    for (; some; some &= some - 1u) {
+    for (u32 some = wide_bits(nearest < wide_all(INFINITE)); some; some &= some - 1u) {
         const u32 child = first_lane(some);
-        u32 its_rays = 0, i = walk->count++;
-        for (u32 k = 0; k < LANES; k++) its_rays |= (met[k] >> child & 1u) << k;
+        /* The child's bit of all bytes, side by side. */
+        const u64 bits = met >> child & 0x0101010101010101ul;
+        u32 i = walk->count++;
         for (; i > base && walk->near[i - 1] < nearest_lanes[child]; i--) {
             walk->near[i] = walk->near[i - 1];
             walk->refs[i] = walk->refs[i - 1];
@@ -107,7 +105,7 @@ INLINED void packet_walk_open(PacketWalk* walk, __global const LayoutNode* node,
         }
         walk->near[i] = nearest_lanes[child];
         walk->refs[i] = node->child[child];
-        walk->rays[i] = its_rays;
+        walk->rays[i] = (u32)(bits * 0x0102040810204080ul >> 56);
     }
 }
 
@@ -115,6 +113,9 @@ INLINED void packet_walk_open(PacketWalk* walk, __global const LayoutNode* node,
 static CALLED u32 packet_tree_next(PacketWalk* walk, const World* world, wide from, wide to, u32* rays)
 {
     __global const LayoutFrame* frame = world->frame;
+    real from_lanes[LANES], to_lanes[LANES];
+    store_wide(from, from_lanes);
+    store_wide(to, to_lanes);
     for (;;) {
         u32 node, base = 0, its_rays = 255u;
         if (walk->next < walk->last &&
@@ -133,7 +134,7 @@ static CALLED u32 packet_tree_next(PacketWalk* walk, const World* world, wide fr
             node = ref & ~NODE_INNER;
             base = walk->count;
         }
-        packet_walk_open(walk, &world->nodes[node], its_rays, from, to, base);
+        packet_walk_open(walk, &world->nodes[node], its_rays, from_lanes, to_lanes, base);
     }
 }
 
