@@ -48,7 +48,8 @@ INLINED void packet_complement(PacketSpan* s)
 }
 
 /* A group's span; where it does not keep it has two ends. */
-INLINED void packet_group(const World* world, __global const LayoutGroup* group, const PacketLine* l, PacketSpan* s)
+static CALLED void packet_group(const World* world, __global const LayoutGroup* group, const PacketLine* l,
+                                PacketSpan* s)
 {
     *s = packet_span(-INFINITE, INFINITE);
     for (u32 i = 0; i < group->count; i++) {

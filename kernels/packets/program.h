@@ -66,8 +66,8 @@ INLINED wide_mask program_doubt(const PacketProgram* program, wide at, wide tole
     return doubt;
 }
 
-INLINED void packet_program_crossing(const World* world, __global const LayoutObject* object, const PacketLine* l,
-                                     wide_mask open, wide_mask inside, PacketEnd* e)
+static CALLED void packet_program_crossing(const World* world, __global const LayoutObject* object, const PacketLine* l,
+                                           wide_mask open, wide_mask inside, PacketEnd* e)
 {
     const wide from = l->start, infinite = wide_all(INFINITE);
     PacketProgram program;
@@ -108,8 +108,8 @@ INLINED void packet_program_crossing(const World* world, __global const LayoutOb
     }
 }
 
-INLINED wide_mask packet_program_holds(const World* world, __global const LayoutObject* object, const PacketLine* l,
-                                       wide at, wide_mask* want)
+static CALLED wide_mask packet_program_holds(const World* world, __global const LayoutObject* object,
+                                             const PacketLine* l, wide at, wide_mask* want)
 {
     PacketProgram program;
     if (!packet_program(world, object, l, &program)) {

@@ -21,25 +21,45 @@ typedef struct {
     u32 x, y, width, height;
 } PixelBlock;
 
-/* The medium of a lane's start, and whether it ends there: it is opaque, or no segments are allowed at all. */
-static CALLED u32 start_medium(World* world, const Ray* ray)
+/* The rays' segment as the search takes it. */
+INLINED PacketLine packet_rays(const Packet* packet)
 {
-    return world->frame->start_count ? medium_at_start(world, ray) : VACUUM;
+    PacketLine l;
+    l.o = packet_vec(packet, ROW_O);
+    l.d = packet_vec(packet, ROW_D);
+    l.err = load_lanes(packet->rows[ROW_ERR]);
+    l.left = load_ids(packet->ids[ID_LEFT]);
+    l.left_inside = load_ids(packet->ids[ID_LEFT_INSIDE]);
+    return l;
 }
 
+/* The media that the rays of `some` start in. */
+INLINED void find_starts(World* world, wide_mask some, Packet* packet)
+{
+    PacketLine l = packet_rays(packet);
+    PacketHit hit;
+    hit.t = wide_all(R(0));
+    hit.after = all_ids(MEDIUM_VACUUM);
+    hit.sure = some;
+    packet_look_beyond(world, all_ids(MEDIUM_NO_RAY), some, &l, &hit);
+    store_ids(where_id(some, hit.after, all_ids(MEDIUM_NO_RAY)), packet->ids[ID_MEDIUM]);
+    for (u32 unsure = wide_bits(some & ~hit.sure); unsure; unsure &= unsure - 1u) {
+        const u32 i = first_lane(unsure);
+        const Ray ray = lane_ray(packet, i);
+        World copy = *world;
+        packet->ids[ID_MEDIUM][i] = signed_medium(full_medium_at_start(&copy, &ray));
+    }
+}
+
+/* Begins the lane's ray, unless it is black by rule. */
 INLINED void begin_lane(World* world, Packet* packet, u32 lane)
 {
-    u32 medium = VACUUM;
-    if (world->frame->start_count) {
-        World copy = *world;
-        const Ray ray = lane_ray(packet, lane);
-        medium = start_medium(&copy, &ray);
-        for (u32 i = 0; i < STAT_COUNT; i++) world->stats[i] = copy.stats[i];
-    }
+    const u32 medium = unsigned_medium(packet->ids[ID_MEDIUM][lane]);
     const rgb all = grey(R(1));
-    const int black = is_black(world, all, all, world->frame->max_hops, medium);
-    packet->ids[ID_MEDIUM][lane] = black ? MEDIUM_NO_RAY : signed_medium(medium);
-    if (black) return;
+    if (is_black(world, all, all, world->frame->max_hops, medium)) {
+        packet->ids[ID_MEDIUM][lane] = MEDIUM_NO_RAY;
+        return;
+    }
     COUNT(world, STAT_RAYS);
     COUNT(world, STAT_PRIMARY);
 }
@@ -50,18 +70,16 @@ INLINED void observe_packet(World* world, const PixelBlock* block, u32 place, u3
     __global const LayoutFrame* f = world->frame;
     real a, b, u[LANES], v[LANES];
     sample_offset(sample, f->corner, &a, &b);
-    u32 within = 0;
     for (u32 k = 0; k < LANES; k++) {
         const u32 i = even_bits(place + k), j = even_bits((place + k) >> 1);
         u[k] = (R(block->x + i) - R(0.5f) * R(f->width) + a) / R(f->width);
         v[k] = (R(block->y + j) - R(0.5f) * R(f->height) + b) / R(f->height);
         packet->ids[ID_LEFT][k] = (int)MEMBER_NONE;
         packet->ids[ID_LEFT_INSIDE][k] = 0;
-        packet->ids[ID_MEDIUM][k] = MEDIUM_NO_RAY;
+        packet->ids[ID_MEDIUM][k] = i < block->width && j < block->height ? MEDIUM_VACUUM : MEDIUM_NO_RAY;
         packet->ids[ID_TAG][k] = (int)((j * PACKET_TILE + i) | (f->max_hops << PIXEL_BITS));
         packet->rows[ROW_ERR][k] = R(0);
         for (u32 row = ROW_THROUGHPUT; row < ROW_COUNT; row++) packet->rows[row][k] = R(1);
-        within |= (i < block->width && j < block->height ? 1u : 0u) << k;
     }
     const wide across = load_lanes(u), down = load_lanes(v);
     const wide_vec s =
@@ -71,7 +89,9 @@ INLINED void observe_packet(World* world, const PixelBlock* block, u32 place, u3
     put_vec(packet, ROW_O, wide_scaled(s, wide_all(R(f->window))));
     put_vec(packet, ROW_D, d);
     store_wide(wide_length_excess(d), packet->rows[ROW_EXCESS]);
-    for (; within; within &= within - 1u) begin_lane(world, packet, first_lane(within));
+    const wide_mask some = load_ids(packet->ids[ID_MEDIUM]) != all_ids(MEDIUM_NO_RAY);
+    if (f->start_count) find_starts(world, some, packet);
+    for (u32 lanes = wide_bits(some); lanes; lanes &= lanes - 1u) begin_lane(world, packet, first_lane(lanes));
 }
 
 INLINED void trace_packet(World* world, PacketStacks* stacks, const Packet* packet, TileLight* light)
@@ -80,12 +100,7 @@ INLINED void trace_packet(World* world, PacketStacks* stacks, const Packet* pack
     const wide_mask some = medium != all_ids(MEDIUM_NO_RAY);
     if (!any_lane(some)) return;
     count_lanes(world, STAT_QUERIES, some);
-    PacketLine l;
-    l.o = packet_vec(packet, ROW_O);
-    l.d = packet_vec(packet, ROW_D);
-    l.err = load_lanes(packet->rows[ROW_ERR]);
-    l.left = load_ids(packet->ids[ID_LEFT]);
-    l.left_inside = load_ids(packet->ids[ID_LEFT_INSIDE]);
+    PacketLine l = packet_rays(packet);
     const PacketHit hit = packet_search(world, medium, &l);
     LaneHits hits;
     store_wide(hit.t, hits.t);
