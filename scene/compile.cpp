@@ -6,17 +6,18 @@
 #include "scene/store.h"
 
 #include <algorithm>
-#include <cstring>
+#include <span>
 
 namespace clucida::scene {
 namespace {
 
+/// The items are gone afterwards: of a million objects memory need not hold all buffers twice.
 template <typename T>
-std::vector<std::byte> to_bytes(const std::vector<T>& items)
+std::vector<std::byte> to_bytes(std::vector<T>&& items)
 {
-    std::vector<std::byte> bytes(items.size() * sizeof(T));
-    if (!items.empty()) std::memcpy(bytes.data(), items.data(), bytes.size());
-    return bytes;
+    const std::vector<T> taken = std::move(items);
+    const auto bytes = std::as_bytes(std::span(taken));
+    return {bytes.begin(), bytes.end()};
 }
 
 void set_observer(LayoutFrame& frame, const Pinhole& eye)
@@ -93,7 +94,7 @@ Compiled compile(const Scene& scene, const View& view)
 
     ObjectBuffers objects = compile_objects(scene, eye, start_radius(scene, view));
     OpticsBuffers optics = compile_optics(scene, eye, frame);
-    const Tree tree = build_tree(objects.boxes);
+    Tree tree = build_tree(objects.boxes);
     frame.root_count = static_cast<u32>(tree.roots);
     frame.walk_reserve = static_cast<u32>(tree.reserve);
     frame.object_count = static_cast<u32>(objects.objects.size());
@@ -112,21 +113,21 @@ Compiled compile(const Scene& scene, const View& view)
 
     auto& bytes = compiled.buffers.bytes;
     bytes[BUFFER_FRAME] = to_bytes(std::vector{frame});
-    bytes[BUFFER_NODES] = to_bytes(tree.nodes);
-    bytes[BUFFER_OBJECTS] = to_bytes(objects.objects);
-    bytes[BUFFER_GROUPS] = to_bytes(objects.groups);
-    bytes[BUFFER_MEMBERS] = to_bytes(objects.members);
-    bytes[BUFFER_PROGRAMS] = to_bytes(objects.programs);
-    bytes[BUFFER_PLANES] = to_bytes(objects.planes);
-    bytes[BUFFER_BLOCKS] = to_bytes(objects.blocks);
-    bytes[BUFFER_SPHERES] = to_bytes(objects.spheres);
-    bytes[BUFFER_QUADRICS] = to_bytes(objects.quadrics);
-    bytes[BUFFER_TORI] = to_bytes(objects.tori);
-    bytes[BUFFER_OPTICS] = to_bytes(optics.optics);
-    bytes[BUFFER_TEXTURES] = to_bytes(optics.textures);
-    bytes[BUFFER_IMAGES] = to_bytes(optics.images);
-    bytes[BUFFER_TEXELS] = to_bytes(optics.texels);
-    bytes[BUFFER_LIGHTS] = to_bytes(optics.lights);
+    bytes[BUFFER_NODES] = to_bytes(std::move(tree.nodes));
+    bytes[BUFFER_OBJECTS] = to_bytes(std::move(objects.objects));
+    bytes[BUFFER_GROUPS] = to_bytes(std::move(objects.groups));
+    bytes[BUFFER_MEMBERS] = to_bytes(std::move(objects.members));
+    bytes[BUFFER_PROGRAMS] = to_bytes(std::move(objects.programs));
+    bytes[BUFFER_PLANES] = to_bytes(std::move(objects.planes));
+    bytes[BUFFER_BLOCKS] = to_bytes(std::move(objects.blocks));
+    bytes[BUFFER_SPHERES] = to_bytes(std::move(objects.spheres));
+    bytes[BUFFER_QUADRICS] = to_bytes(std::move(objects.quadrics));
+    bytes[BUFFER_TORI] = to_bytes(std::move(objects.tori));
+    bytes[BUFFER_OPTICS] = to_bytes(std::move(optics.optics));
+    bytes[BUFFER_TEXTURES] = to_bytes(std::move(optics.textures));
+    bytes[BUFFER_IMAGES] = to_bytes(std::move(optics.images));
+    bytes[BUFFER_TEXELS] = to_bytes(std::move(optics.texels));
+    bytes[BUFFER_LIGHTS] = to_bytes(std::move(optics.lights));
     return compiled;
 }
 
