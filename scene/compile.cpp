@@ -6,19 +6,9 @@
 #include "scene/store.h"
 
 #include <algorithm>
-#include <span>
 
 namespace clucida::scene {
 namespace {
-
-/// The items are gone afterwards: of a million objects memory need not hold all buffers twice.
-template <typename T>
-std::vector<std::byte> to_bytes(std::vector<T>&& items)
-{
-    const std::vector<T> taken = std::move(items);
-    const auto bytes = std::as_bytes(std::span(taken));
-    return {bytes.begin(), bytes.end()};
-}
 
 void set_observer(LayoutFrame& frame, const Pinhole& eye)
 {
@@ -94,7 +84,7 @@ Compiled compile(const Scene& scene, const View& view)
 
     ObjectBuffers objects = compile_objects(scene, eye, start_radius(scene, view));
     OpticsBuffers optics = compile_optics(scene, eye, frame);
-    Tree tree = build_tree(objects.boxes);
+    Tree tree = build_tree(std::move(objects.boxes));
     frame.root_count = static_cast<u32>(tree.roots);
     frame.walk_reserve = static_cast<u32>(tree.reserve);
     frame.object_count = static_cast<u32>(objects.objects.size());
@@ -109,25 +99,24 @@ Compiled compile(const Scene& scene, const View& view)
     compiled.needs.stack = stack_class(compiled.needs.features, frame.max_hops);
     compiled.needs.walk = capacity_class(tree.stack, 1u << 16);
     compiled.needs.groups = capacity_class(objects.most_groups, 1u << 16);
-    compiled.objects = std::move(objects.reports);
 
     auto& bytes = compiled.buffers.bytes;
-    bytes[BUFFER_FRAME] = to_bytes(std::vector{frame});
-    bytes[BUFFER_NODES] = to_bytes(std::move(tree.nodes));
-    bytes[BUFFER_OBJECTS] = to_bytes(std::move(objects.objects));
-    bytes[BUFFER_GROUPS] = to_bytes(std::move(objects.groups));
-    bytes[BUFFER_MEMBERS] = to_bytes(std::move(objects.members));
-    bytes[BUFFER_PROGRAMS] = to_bytes(std::move(objects.programs));
-    bytes[BUFFER_PLANES] = to_bytes(std::move(objects.planes));
-    bytes[BUFFER_BLOCKS] = to_bytes(std::move(objects.blocks));
-    bytes[BUFFER_SPHERES] = to_bytes(std::move(objects.spheres));
-    bytes[BUFFER_QUADRICS] = to_bytes(std::move(objects.quadrics));
-    bytes[BUFFER_TORI] = to_bytes(std::move(objects.tori));
-    bytes[BUFFER_OPTICS] = to_bytes(std::move(optics.optics));
-    bytes[BUFFER_TEXTURES] = to_bytes(std::move(optics.textures));
-    bytes[BUFFER_IMAGES] = to_bytes(std::move(optics.images));
-    bytes[BUFFER_TEXELS] = to_bytes(std::move(optics.texels));
-    bytes[BUFFER_LIGHTS] = to_bytes(std::move(optics.lights));
+    bytes[BUFFER_FRAME] = Bytes(std::vector{frame});
+    bytes[BUFFER_NODES] = Bytes(std::move(tree.nodes));
+    bytes[BUFFER_OBJECTS] = Bytes(std::move(objects.objects));
+    bytes[BUFFER_GROUPS] = Bytes(std::move(objects.groups));
+    bytes[BUFFER_MEMBERS] = Bytes(std::move(objects.members));
+    bytes[BUFFER_PROGRAMS] = Bytes(std::move(objects.programs));
+    bytes[BUFFER_PLANES] = Bytes(std::move(objects.planes));
+    bytes[BUFFER_BLOCKS] = Bytes(std::move(objects.blocks));
+    bytes[BUFFER_SPHERES] = Bytes(std::move(objects.spheres));
+    bytes[BUFFER_QUADRICS] = Bytes(std::move(objects.quadrics));
+    bytes[BUFFER_TORI] = Bytes(std::move(objects.tori));
+    bytes[BUFFER_OPTICS] = Bytes(std::move(optics.optics));
+    bytes[BUFFER_TEXTURES] = Bytes(std::move(optics.textures));
+    bytes[BUFFER_IMAGES] = Bytes(std::move(optics.images));
+    bytes[BUFFER_TEXELS] = Bytes(std::move(optics.texels));
+    bytes[BUFFER_LIGHTS] = Bytes(std::move(optics.lights));
     return compiled;
 }
 

@@ -231,12 +231,13 @@ void list(Tree& tree, Items items)
 
 } // namespace
 
-Tree build_tree(const std::vector<FloatBox>& boxes)
+Tree build_tree(std::vector<FloatBox> boxes)
 {
     std::vector<Item> bounded, endless;
     bounded.reserve(boxes.size());
     for (std::size_t i = 0; i < boxes.size(); i++)
         (is_bounded(boxes[i]) ? bounded : endless).push_back({boxes[i], static_cast<u32>(i)});
+    boxes = {};
 
     Tree tree;
     if (bounded.size() + endless.size() <= most_listed) {
