@@ -90,7 +90,7 @@ def print_kinds(meter: Meter) -> None:
 
 def print_fields(meter: Meter, counts: list[int]) -> None:
     cold = 0.0
-    print("\n| spheres | text, MiB | read, s | compile, s | peak, MiB | of which on the device | bytes an object |")
+    print("\n| spheres | text, MiB | read, s | compile, s | peak, MiB | on the device, MiB | bytes an object |")
     print("|---:|---:|---:|---:|---:|---:|---:|")
     for count in counts:
         meter.write(field_clu(count))

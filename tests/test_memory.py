@@ -1,4 +1,4 @@
-"""What objects and pictures take of memory, as bench/memory.py tells it. test_memory.py PATH-OF-CLUCIDA FOLDER-OF-BENCH"""
+"""What objects and pictures take of memory (bench/memory.py). test_memory.py PATH-OF-CLUCIDA FOLDER-OF-BENCH"""
 
 import subprocess
 import sys
