@@ -1,4 +1,5 @@
 #include "host/commands.h"
+#include "scene/report.h"
 #include "scene/write.h"
 
 #include <fmt/format.h>
@@ -36,9 +37,11 @@ std::size_t total_bytes(const scene::Compiled& compiled)
     return out;
 }
 
-double per_object(const scene::Compiled& compiled)
+using Reports = std::vector<scene::ObjectReport>;
+
+double per_object(const scene::Compiled& compiled, const Reports& objects)
 {
-    const auto count = static_cast<double>(std::max<std::size_t>(compiled.objects.size(), 1));
+    const auto count = static_cast<double>(std::max<std::size_t>(objects.size(), 1));
     return static_cast<double>(total_bytes(compiled)) / count;
 }
 
@@ -47,10 +50,10 @@ struct Kind {
     std::size_t objects = 0, bytes = 0;
 };
 
-std::map<std::string, Kind> kinds_of(const scene::Compiled& compiled)
+std::map<std::string, Kind> kinds_of(const Reports& objects)
 {
     std::map<std::string, Kind> out;
-    for (const scene::ObjectReport& o : compiled.objects) {
+    for (const scene::ObjectReport& o : objects) {
         std::string name;
         const auto add = [&](std::size_t count, const char* what) {
             if (count) name += fmt::format("{}{}", name.empty() ? "" : "+", what);
@@ -75,12 +78,10 @@ nlohmann::ordered_json object_json(const scene::ObjectReport& o)
     return j;
 }
 
-nlohmann::ordered_json to_json(const SceneSource& source, const scene::Compiled& compiled)
+nlohmann::ordered_json to_json(const SceneSource& source, const scene::Compiled& compiled, const Reports& reports)
 {
-    nlohmann::ordered_json objects = nlohmann::ordered_json::array(), kinds, buffers;
-    for (const scene::ObjectReport& o : compiled.objects) objects.push_back(object_json(o));
-    for (const auto& [name, kind] : kinds_of(compiled))
-        kinds[name] = {{"objects", kind.objects}, {"bytes", kind.bytes}};
+    nlohmann::ordered_json kinds = nlohmann::ordered_json::object(), buffers;
+    for (const auto& [name, kind] : kinds_of(reports)) kinds[name] = {{"objects", kind.objects}, {"bytes", kind.bytes}};
     for (std::size_t i = 0; i < BUFFER_COUNT; ++i) buffers[buffer_names[i]] = compiled.buffers.bytes[i].size();
     const scene::Needs& needs = compiled.needs;
     return {{"scene", source.name},
@@ -92,22 +93,40 @@ nlohmann::ordered_json to_json(const SceneSource& source, const scene::Compiled&
             {"options", scene::build_options(needs)},
             {"buffers", std::move(buffers)},
             {"total_bytes", total_bytes(compiled)},
-            {"bytes_per_object", per_object(compiled)},
-            {"kinds", std::move(kinds)},
-            {"objects", std::move(objects)}};
+            {"bytes_per_object", per_object(compiled, reports)},
+            {"kinds", std::move(kinds)}};
 }
 
-void print(const SceneSource& source, const scene::Compiled& compiled)
+std::string dumped(const nlohmann::ordered_json& j, int indent)
+{
+    return j.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+/// The objects come last, one by one: a million of them are more than a gigabyte as values of JSON.
+void print_json(const SceneSource& source, const scene::Compiled& compiled, const Reports& objects)
+{
+    std::string text = dumped(to_json(source, compiled, objects), 2);
+    text.resize(text.size() - 2); // but for the end of line and the brace
+    fmt::print("{},\n  \"objects\": [", text);
+    const char* separator = "";
+    for (const scene::ObjectReport& o : objects) {
+        fmt::print("{}\n    {}", separator, dumped(object_json(o), -1));
+        separator = ",";
+    }
+    fmt::print("\n  ]\n}}\n");
+}
+
+void print(const SceneSource& source, const scene::Compiled& compiled, const Reports& objects)
 {
     const scene::Needs& needs = compiled.needs;
-    fmt::print("{}: {} objects, {} lights\n\n", source.name, compiled.objects.size(), source.scene.lights.size());
+    fmt::print("{}: {} objects, {} lights\n\n", source.name, objects.size(), source.scene.lights.size());
     fmt::print("{:<24} {:>7} {:>7} {:>8} {:>9} {:>6} {:>12} {:>8}\n", "object", "groups", "planes", "spheres",
                "quadrics", "tori", "radius", "bytes");
-    for (const scene::ObjectReport& o : compiled.objects)
+    for (const scene::ObjectReport& o : objects)
         fmt::print("{:<24} {:>7} {:>7} {:>8} {:>9} {:>6} {:>12.6g} {:>8}\n", o.name.empty() ? "-" : o.name, o.groups,
                    o.planes, o.spheres, o.quadrics, o.tori, o.radius, o.bytes);
     fmt::print("\n{:<24} {:>7} {:>12} {:>10}\n", "objects of", "count", "bytes", "each");
-    for (const auto& [name, kind] : kinds_of(compiled))
+    for (const auto& [name, kind] : kinds_of(objects))
         fmt::print("{:<24} {:>7} {:>12} {:>10.1f}\n", name, kind.objects, kind.bytes,
                    static_cast<double>(kind.bytes) / static_cast<double>(kind.objects));
     fmt::print("\nfeatures   {}\n", fmt::join(feature_list(needs), " "));
@@ -117,7 +136,8 @@ void print(const SceneSource& source, const scene::Compiled& compiled)
     for (std::size_t i = 0; i < BUFFER_COUNT; ++i)
         if (!compiled.buffers.bytes[i].empty())
             fmt::print("{:<10} {:>12} bytes\n", buffer_names[i], compiled.buffers.bytes[i].size());
-    fmt::print("{:<10} {:>12} bytes, {:.1f} an object\n", "total", total_bytes(compiled), per_object(compiled));
+    fmt::print("{:<10} {:>12} bytes, {:.1f} an object\n", "total", total_bytes(compiled),
+               per_object(compiled, objects));
 }
 
 void run(const InspectOptions& options)
@@ -128,10 +148,11 @@ void run(const InspectOptions& options)
         return;
     }
     const scene::Compiled compiled = compile_scene(source, {});
+    const Reports objects = scene::report_objects(source.scene, compiled.buffers);
     if (options.json)
-        std::cout << to_json(source, compiled).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+        print_json(source, compiled, objects);
     else
-        print(source, compiled);
+        print(source, compiled, objects);
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "scene/error.h"
 
 #include <filesystem>
+#include <future>
 #include <optional>
 
 namespace clucida::host {
@@ -43,8 +44,10 @@ SceneSource load_scene(const SceneOptions& options)
     out.stem = options.file == "-" ? "picture" : path.stem().string();
     out.text = scene::load_scene_text(options.file, read);
     if (options.as_original) out.as_original = original_of(out.text.format);
+    // Of large texts this takes a sixth of the time that reading does, which waits for nothing of it.
+    auto hash = std::async(std::launch::async, sha256, std::string_view(out.text.text));
     out.scene = scene::read_scene(out.text.text, out.text.file, out.text.format, out.text.folder, read);
-    out.hash = sha256(out.text.text);
+    out.hash = hash.get();
     return out;
 }
 

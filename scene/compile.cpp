@@ -6,18 +6,9 @@
 #include "scene/store.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace clucida::scene {
 namespace {
-
-template <typename T>
-std::vector<std::byte> to_bytes(const std::vector<T>& items)
-{
-    std::vector<std::byte> bytes(items.size() * sizeof(T));
-    if (!items.empty()) std::memcpy(bytes.data(), items.data(), bytes.size());
-    return bytes;
-}
 
 void set_observer(LayoutFrame& frame, const Pinhole& eye)
 {
@@ -93,7 +84,7 @@ Compiled compile(const Scene& scene, const View& view)
 
     ObjectBuffers objects = compile_objects(scene, eye, start_radius(scene, view));
     OpticsBuffers optics = compile_optics(scene, eye, frame);
-    const Tree tree = build_tree(objects.boxes);
+    Tree tree = build_tree(std::move(objects.boxes));
     frame.root_count = static_cast<u32>(tree.roots);
     frame.walk_reserve = static_cast<u32>(tree.reserve);
     frame.object_count = static_cast<u32>(objects.objects.size());
@@ -108,25 +99,24 @@ Compiled compile(const Scene& scene, const View& view)
     compiled.needs.stack = stack_class(compiled.needs.features, frame.max_hops);
     compiled.needs.walk = capacity_class(tree.stack, 1u << 16);
     compiled.needs.groups = capacity_class(objects.most_groups, 1u << 16);
-    compiled.objects = std::move(objects.reports);
 
     auto& bytes = compiled.buffers.bytes;
-    bytes[BUFFER_FRAME] = to_bytes(std::vector{frame});
-    bytes[BUFFER_NODES] = to_bytes(tree.nodes);
-    bytes[BUFFER_OBJECTS] = to_bytes(objects.objects);
-    bytes[BUFFER_GROUPS] = to_bytes(objects.groups);
-    bytes[BUFFER_MEMBERS] = to_bytes(objects.members);
-    bytes[BUFFER_PROGRAMS] = to_bytes(objects.programs);
-    bytes[BUFFER_PLANES] = to_bytes(objects.planes);
-    bytes[BUFFER_BLOCKS] = to_bytes(objects.blocks);
-    bytes[BUFFER_SPHERES] = to_bytes(objects.spheres);
-    bytes[BUFFER_QUADRICS] = to_bytes(objects.quadrics);
-    bytes[BUFFER_TORI] = to_bytes(objects.tori);
-    bytes[BUFFER_OPTICS] = to_bytes(optics.optics);
-    bytes[BUFFER_TEXTURES] = to_bytes(optics.textures);
-    bytes[BUFFER_IMAGES] = to_bytes(optics.images);
-    bytes[BUFFER_TEXELS] = to_bytes(optics.texels);
-    bytes[BUFFER_LIGHTS] = to_bytes(optics.lights);
+    bytes[BUFFER_FRAME] = Bytes(std::vector{frame});
+    bytes[BUFFER_NODES] = Bytes(std::move(tree.nodes));
+    bytes[BUFFER_OBJECTS] = Bytes(std::move(objects.objects));
+    bytes[BUFFER_GROUPS] = Bytes(std::move(objects.groups));
+    bytes[BUFFER_MEMBERS] = Bytes(std::move(objects.members));
+    bytes[BUFFER_PROGRAMS] = Bytes(std::move(objects.programs));
+    bytes[BUFFER_PLANES] = Bytes(std::move(objects.planes));
+    bytes[BUFFER_BLOCKS] = Bytes(std::move(objects.blocks));
+    bytes[BUFFER_SPHERES] = Bytes(std::move(objects.spheres));
+    bytes[BUFFER_QUADRICS] = Bytes(std::move(objects.quadrics));
+    bytes[BUFFER_TORI] = Bytes(std::move(objects.tori));
+    bytes[BUFFER_OPTICS] = Bytes(std::move(optics.optics));
+    bytes[BUFFER_TEXTURES] = Bytes(std::move(optics.textures));
+    bytes[BUFFER_IMAGES] = Bytes(std::move(optics.images));
+    bytes[BUFFER_TEXELS] = Bytes(std::move(optics.texels));
+    bytes[BUFFER_LIGHTS] = Bytes(std::move(optics.lights));
     return compiled;
 }
 

@@ -8,6 +8,8 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,22 +27,33 @@ struct View {
     AsOriginal as_original = AsOriginal::none;
 };
 
-struct Buffers {
-    std::array<std::vector<std::byte>, BUFFER_COUNT> bytes; ///< in the order of LayoutBuffer; some may be empty
+/// What a vector held, as bytes and without a copy: a million objects are some hundred MiB.
+class Bytes {
+public:
+    Bytes() = default;
+    template <typename T>
+    explicit Bytes(std::vector<T>&& items)
+    {
+        auto kept = std::make_shared<const std::vector<T>>(std::move(items));
+        bytes_ = std::as_bytes(std::span(*kept));
+        owner_ = std::move(kept);
+    }
+    const std::byte* data() const { return bytes_.data(); }
+    std::size_t size() const { return bytes_.size(); }
+    bool empty() const { return bytes_.empty(); }
+
+private:
+    std::shared_ptr<const void> owner_;
+    std::span<const std::byte> bytes_;
 };
 
-/// What `inspect` prints of one object.
-struct ObjectReport {
-    std::string name;
-    std::size_t planes = 0, spheres = 0, quadrics = 0, tori = 0, groups = 0, program = 0;
-    double radius = 0; ///< of the bound; infinite if there is none
-    std::size_t bytes = 0;
+struct Buffers {
+    std::array<Bytes, BUFFER_COUNT> bytes; ///< in the order of LayoutBuffer; some may be empty
 };
 
 struct Compiled {
     Buffers buffers;
     Needs needs;
-    std::vector<ObjectReport> objects;
     std::size_t interior_bound =
         0; ///< the most objects that may hold one point; needs.interior may be less to begin with
 };

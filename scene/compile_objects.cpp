@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <queue>
 #include <span>
 
 namespace clucida::scene {
@@ -102,7 +101,7 @@ public:
     /// reach: the radius of the object's bound.
     ObjectWriter(ObjectBuffers& buffers, Vec3 center, double reach) : out(buffers), center(center), reach(reach) {}
 
-    void write(const Form& form, LayoutObject& object, ObjectReport& report)
+    void write(const Form& form, LayoutObject& object)
     {
         object.group_begin = static_cast<u32>(out.groups.size());
         object.program_begin = static_cast<u32>(out.programs.size());
@@ -116,12 +115,6 @@ public:
         }
         object.group_count = static_cast<u32>(out.groups.size()) - object.group_begin;
         object.program_count = static_cast<u32>(out.programs.size()) - object.program_begin;
-        report.groups = object.group_count;
-        report.program = object.program_count;
-        report.planes = planes;
-        report.spheres = spheres;
-        report.quadrics = quadrics;
-        report.tori = tori;
         object.grain = static_cast<float>(grain);
     }
 
@@ -217,7 +210,6 @@ private:
         store(p.n, plane.n);
         p.h = static_cast<float>(plane.h - dot(plane.n, center));
         out.planes.push_back(p);
-        planes++;
         grain = std::max(grain, std::min(std::fabs(double{p.h}), reach));
         out.features |= feature_plane;
         return MEMBER_PLANE | static_cast<u32>(out.planes.size() - 1) << MEMBER_SHIFT;
@@ -229,7 +221,6 @@ private:
         store(s.c, ball.c - center);
         s.r = static_cast<float>(ball.r);
         out.spheres.push_back(s);
-        spheres++;
         grain = std::max(grain, length(ball.c - center) + ball.r);
         out.features |= feature_sphere;
         return MEMBER_SPHERE | static_cast<u32>(out.spheres.size() - 1) << MEMBER_SHIFT;
@@ -246,7 +237,6 @@ private:
         q.w = static_cast<float>(quadric.w);
         q.norm = static_cast<float>(norm_bound(quadric.m));
         out.quadrics.push_back(q);
-        quadrics++;
         grain = std::max(grain, length(origin - center));
         out.features |= feature_quadric;
         return MEMBER_QUADRIC | static_cast<u32>(out.quadrics.size() - 1) << MEMBER_SHIFT;
@@ -260,7 +250,6 @@ private:
         t.major = static_cast<float>(ring.major);
         t.minor = static_cast<float>(ring.minor);
         out.tori.push_back(t);
-        tori++;
         grain = std::max(grain, length(ring.c - center) + ring.major + ring.minor);
         out.features |= feature_torus;
         return MEMBER_TORUS | static_cast<u32>(out.tori.size() - 1) << (MEMBER_SHIFT + 1);
@@ -270,7 +259,6 @@ private:
     Vec3 center;
     double reach, grain = 0;
     u32 groups_of_this = 0;
-    std::size_t planes = 0, spheres = 0, quadrics = 0, tori = 0;
     std::vector<std::pair<const Member*, u32>> known_members;
 };
 
@@ -288,29 +276,15 @@ FloatBox stored_box(const Box& box, Vec3 eye)
     return out;
 }
 
-std::size_t bytes_of(const LayoutObject& object, const ObjectReport& report, const ObjectBuffers& out)
-{
-    std::size_t members = 0, blocks = 0;
-    for (u32 i = 0; i < object.group_count; i++) {
-        members += out.groups[object.group_begin + i].count;
-        blocks += out.groups[object.group_begin + i].block_count;
-    }
-    return sizeof(LayoutObject) + blocks * sizeof(LayoutPlaneBlock) + report.groups * sizeof(LayoutGroup) +
-           (members + report.program) * sizeof(u32) + report.planes * sizeof(LayoutPlane) +
-           report.spheres * sizeof(LayoutSphere) + report.quadrics * sizeof(LayoutQuadric) +
-           report.tori * sizeof(LayoutTorus);
-}
-
 /// No point lies in more of the intervals than are open at once anywhere.
-std::size_t most_open(std::vector<std::pair<double, double>> intervals)
+std::size_t most_open(std::vector<double> lows, std::vector<double> highs)
 {
-    std::ranges::sort(intervals);
-    std::priority_queue<double, std::vector<double>, std::greater<>> ends;
-    std::size_t most = 0;
-    for (const auto& [low, high] : intervals) {
-        while (!ends.empty() && ends.top() < low) ends.pop();
-        ends.push(high);
-        most = std::max(most, ends.size());
+    std::ranges::sort(lows);
+    std::ranges::sort(highs);
+    std::size_t most = 0, ended = 0;
+    for (std::size_t begun = 0; begun < lows.size(); begun++) {
+        while (highs[ended] < lows[begun]) ended++;
+        most = std::max(most, begun + 1 - ended);
     }
     return most;
 }
@@ -319,12 +293,14 @@ std::size_t most_overlapping(const std::vector<LayoutObject>& objects)
 {
     std::size_t most = objects.size();
     for (int axis = 0; axis < 3; axis++) {
-        std::vector<std::pair<double, double>> intervals;
-        intervals.reserve(objects.size());
-        for (const LayoutObject& o : objects)
-            intervals.emplace_back(static_cast<double>(o.center[axis]) - o.radius,
-                                   static_cast<double>(o.center[axis]) + o.radius);
-        most = std::min(most, most_open(std::move(intervals)));
+        std::vector<double> lows, highs;
+        lows.reserve(objects.size());
+        highs.reserve(objects.size());
+        for (const LayoutObject& o : objects) {
+            lows.push_back(static_cast<double>(o.center[axis]) - o.radius);
+            highs.push_back(static_cast<double>(o.center[axis]) + o.radius);
+        }
+        most = std::min(most, most_open(std::move(lows), std::move(highs)));
     }
     return std::max<std::size_t>(most, 1);
 }
@@ -343,6 +319,9 @@ ObjectBuffers compile_objects(const Scene& scene, Vec3 eye, double start_radius)
 {
     ObjectBuffers out;
     out.objects.reserve(scene.objects.size());
+    out.boxes.reserve(scene.objects.size());
+    out.groups.reserve(scene.objects.size()); // one each at least, as of members
+    out.members.reserve(scene.objects.size());
     for (const Object& object : scene.objects) {
         if (expanded_members(*object.solid, most_members_of_object + 1) > most_members_of_object)
             throw Error(object.at,
@@ -354,24 +333,20 @@ ObjectBuffers compile_objects(const Scene& scene, Vec3 eye, double start_radius)
         const Vec3 center = rounded((compact ? bound.center : anchor(form, eye)) - eye) + eye;
 
         LayoutObject layout{};
-        ObjectReport report;
-        report.name = object.name;
         store(layout.center, center - eye);
-        report.radius = (bound.radius + length(bound.center - center)) * (1 + bound_margin);
-        layout.radius = static_cast<float>(report.radius);
-        layout.near = static_cast<float>(compact ? 1.5 * report.radius : 1.1 * size_of_parts(form, center, eye));
+        const double radius = (bound.radius + length(bound.center - center)) * (1 + bound_margin);
+        layout.radius = static_cast<float>(radius);
+        layout.near = static_cast<float>(compact ? 1.5 * radius : 1.1 * size_of_parts(form, center, eye));
         layout.optics = static_cast<u32>(object.optics);
         layout.texture = object.texture ? static_cast<u32>(*object.texture) : TEXTURE_NONE;
-        ObjectWriter(out, center, report.radius).write(form, layout, report);
-        report.bytes = bytes_of(layout, report, out);
+        ObjectWriter(out, center, radius).write(form, layout);
         if (layout.program_count > 0) out.features |= feature_program;
         if (layout.program_count > 0 || layout.group_count > 1) out.features |= feature_groups;
         out.most_groups = std::max<std::size_t>(out.most_groups, layout.group_count);
         const double margin = start_radius + 1e-5 * (start_radius + length(eye - center));
-        if (length(eye - center) <= report.radius + margin && holds(form, eye, margin).value_or(true)) out.starts++;
+        if (length(eye - center) <= radius + margin && holds(form, eye, margin).value_or(true)) out.starts++;
         out.objects.push_back(layout);
         out.boxes.push_back(stored_box(box, eye));
-        out.reports.push_back(std::move(report));
         check_sizes(object, out);
     }
     out.most_overlapping = most_overlapping(out.objects);

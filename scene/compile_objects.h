@@ -19,7 +19,6 @@ struct ObjectBuffers {
     std::vector<LayoutQuadric> quadrics;
     std::vector<LayoutTorus> tori;
     std::size_t starts = 0; ///< objects that may hold the start of an observer's ray
-    std::vector<ObjectReport> reports;
     std::uint32_t features = 0;
     std::size_t most_groups = 1;
     std::size_t most_overlapping = 1; ///< no point lies in more objects

@@ -87,10 +87,10 @@ void Expressions::define(Cursor& cursor)
     lines_.emplace(name, at.line);
 }
 
-double Expressions::number(Cursor& cursor, std::string_view expected)
+double Expressions::number(Cursor& cursor, std::string_view expected, std::string_view and_more)
 {
     const Extent extent = cursor.extent();
-    if (extent.text.empty()) cursor.fail_expected(expected);
+    if (extent.text.empty()) cursor.fail_expected(fmt::format("{}{}", expected, and_more));
     const double value = plain_number(extent.text).value_or(NAN);
     if (!std::isnan(value)) {
         check_number(cursor.source(), extent.at, value);
@@ -161,9 +161,10 @@ bool Expressions::at_vector(Cursor& cursor) const
     return cursor.peek() == '[' || (!word.empty() && vectors_.contains(word));
 }
 
-Vec3 Expressions::vector(Cursor& cursor, std::string_view expected)
+Vec3 Expressions::vector(Cursor& cursor, std::string_view begin, std::string_view and_more)
 {
     if (!at_vector(cursor)) {
+        const std::string expected = fmt::format("{}{}", begin, and_more);
         const std::string_view word = cursor.peek_word();
         if (word.empty()) cursor.fail_expected(expected);
         if (lines_.contains(word)) {

@@ -22,8 +22,9 @@ public:
     /// `NAME = VALUE` at the cursor, after the word let.
     void define(Cursor& cursor);
 
-    double number(Cursor& cursor, std::string_view expected = "a number");
-    Vec3 vector(Cursor& cursor, std::string_view expected = "a vector [x, y, z]");
+    /// What an error says was expected is made of two pieces, so that only an error joins them.
+    double number(Cursor& cursor, std::string_view expected = "a number", std::string_view and_more = {});
+    Vec3 vector(Cursor& cursor, std::string_view expected = "a vector [x, y, z]", std::string_view and_more = {});
     /// A vector, or a number for all three of its coordinates.
     Vec3 vector_or_number(Cursor& cursor, std::string_view expected);
     /// Whether a vector stands at the cursor.

@@ -86,16 +86,16 @@ bool Cursor::accept(char c)
     return true;
 }
 
-void Cursor::expect(char c, std::string_view why)
+void Cursor::expect(char c, fmt::format_string<std::string_view> why, std::string_view of)
 {
-    if (!accept(c)) fail_expected(fmt::format("'{}' {}", c, why));
+    if (!accept(c)) fail_expected(fmt::format("'{}' {}", c, fmt::vformat(why, fmt::make_format_args(of))));
 }
 
-void Cursor::open(char bracket, std::string_view why)
+void Cursor::open(char bracket, fmt::format_string<std::string_view> why, std::string_view of)
 {
     skip_blanks();
     const Location at = here();
-    expect(bracket, why);
+    expect(bracket, why, of);
     open_.push_back({bracket, at});
 }
 

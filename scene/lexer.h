@@ -4,6 +4,7 @@
 #include "scene/model.h"
 #include "scene/read_common.h"
 
+#include <fmt/format.h>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,9 +37,10 @@ public:
 
     /// The next character, after blanks, is taken if it is c.
     bool accept(char c);
-    void expect(char c, std::string_view why);
+    /// why tells what it is for, and may have a {} in it for of: the text is made only if it is needed.
+    void expect(char c, fmt::format_string<std::string_view> why, std::string_view of = {});
     /// Opening brackets are remembered until they are closed; one that never is makes the error at the text's end.
-    void open(char bracket, std::string_view why);
+    void open(char bracket, fmt::format_string<std::string_view> why, std::string_view of = {});
     bool accept_close(char bracket);
     void close(char bracket);
     /// A line end, a semicolon, the end of the text or a closing brace must follow.

@@ -152,7 +152,7 @@ void Reader::block(std::string_view of, const std::vector<Entry>& entries)
     std::vector<std::string_view> words;
     words.reserve(entries.size());
     for (const Entry& entry : entries) words.push_back(entry.word);
-    cursor_.open('{', fmt::format("before the entries of {}", of));
+    cursor_.open('{', "before the entries of {}", of);
     while (true) {
         cursor_.skip_separators();
         const Location at = cursor_.here();

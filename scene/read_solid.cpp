@@ -24,13 +24,13 @@ bool contains(const std::vector<std::string_view>& words, std::string_view word)
 struct SolidReader::Arguments {
     Cursor& cursor;
     Expressions& expressions;
-    std::string call;
+    std::string_view call;
     std::vector<Location> places{};
 
     void next()
     {
-        if (places.empty()) cursor.open('(', fmt::format("after '{}'", call));
-        if (!places.empty()) cursor.expect(',', fmt::format("and another argument of {}", call));
+        if (places.empty()) cursor.open('(', "after '{}'", call);
+        if (!places.empty()) cursor.expect(',', "and another argument of {}", call);
         cursor.skip_blanks();
         places.push_back(cursor.here());
     }
@@ -42,12 +42,12 @@ struct SolidReader::Arguments {
     Vec3 vector(std::string_view expected)
     {
         next();
-        return expressions.vector(cursor, fmt::format("{}, a vector [x, y, z]", expected));
+        return expressions.vector(cursor, expected, ", a vector [x, y, z]");
     }
     double number(std::string_view expected)
     {
         next();
-        return expressions.number(cursor, fmt::format("{}, a number", expected));
+        return expressions.number(cursor, expected, ", a number");
     }
 };
 
@@ -198,7 +198,7 @@ Measured SolidReader::named(std::string_view word, Location at)
 
 Measured SolidReader::primitive(std::string_view word, Location at)
 {
-    Arguments a{cursor_, expressions_, std::string(word)};
+    Arguments a{cursor_, expressions_, word};
     decltype(Solid::node) node;
     if (word == "plane") {
         node = Plane{a.vector("a point"), a.vector("the normal")};
@@ -248,7 +248,7 @@ Measured SolidReader::primitive(std::string_view word, Location at)
 
 Measured SolidReader::transform(std::string_view word, Location at)
 {
-    Arguments a{cursor_, expressions_, std::string(word)};
+    Arguments a{cursor_, expressions_, word};
     decltype(Transformed::by) by;
     std::optional<Vec3> center;
     if (word == "move") {

@@ -23,6 +23,6 @@ struct Tree {
 
 /// Every box is a child of exactly one node. Few boxes lie in a list of nodes, all of them roots; more in a tree by the
 /// surface-area heuristic (Goldsmith, Salmon 1987), built in parallel. Boxes without end are roots' children.
-Tree build_tree(const std::vector<FloatBox>& boxes);
+Tree build_tree(std::vector<FloatBox> boxes);
 
 } // namespace clucida::scene

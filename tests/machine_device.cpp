@@ -61,9 +61,10 @@ struct Machine {
         return found;
     }
     /// A buffer with a copy of the values. OpenCL has no empty ones.
-    template <typename T>
-    cl::Buffer sent(const std::vector<T>& values) const
+    template <typename Values>
+    cl::Buffer sent(const Values& values) const
     {
+        using T = std::remove_const_t<std::remove_pointer_t<decltype(values.data())>>;
         static const T none[4]{};
         const std::size_t bytes = values.size() * sizeof(T);
         return {device.context, CL_MEM_READ_WRITE | CL_MEM_COPY_HOST_PTR, bytes ? bytes : sizeof none,

@@ -21,3 +21,7 @@ set_tests_properties(test_bench_cli PROPERTIES TIMEOUT 600)
 add_test(NAME test_corpus COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/test_corpus.py
          $<TARGET_FILE:clucida> ${CMAKE_SOURCE_DIR}/bench)
 set_tests_properties(test_corpus PROPERTIES TIMEOUT 300)
+
+add_test(NAME test_memory COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/test_memory.py
+         $<TARGET_FILE:clucida> ${CMAKE_SOURCE_DIR}/bench)
+set_tests_properties(test_memory PROPERTIES TIMEOUT 300)

@@ -1,5 +1,6 @@
 // From a scene to buffers: needs, starts, precedence, places, the memory report.
 #include "native_scene.h"
+#include "scene/report.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -128,7 +129,6 @@ TEST(CompileScene, ObjectsKeepTheirOrderAndWhatBelongsToThem)
         EXPECT_EQ(objects[i].center[0], i * 7 % 50);
         EXPECT_EQ(objects[i].optics, scene.objects[i].optics);
         EXPECT_EQ(objects[i].texture, TEXTURE_NONE);
-        EXPECT_EQ(native.compiled.objects[i].name, scene.objects[i].name);
     }
 }
 
@@ -192,13 +192,29 @@ TEST(CompileScene, TheMemoryReportAddsUp)
                                : complement(ball),
                   clear());
     }
+    test::add(scene, solid(Torus{{1, 2, 3}, {0, 0, 1}, 2, .5}), clear());
+    scene.objects[3].name = "three";
     const Compiled compiled = compile(scene, {});
-    std::size_t reported = 0, stored = 0;
-    for (const ObjectReport& object : compiled.objects) reported += object.bytes;
+    ObjectReport sum;
+    std::size_t stored = 0;
+    const std::vector<ObjectReport> objects = report_objects(scene, compiled.buffers);
+    ASSERT_EQ(objects.size(), 41U);
+    EXPECT_EQ(objects[3].name, "three");
+    EXPECT_EQ(objects[40].tori, 1U) << "its two intervals are one torus";
+    for (const ObjectReport& object : objects) {
+        sum.bytes += object.bytes;
+        sum.planes += object.planes;
+        sum.spheres += object.spheres;
+        sum.quadrics += object.quadrics;
+    }
+    const auto bytes_of = [&](LayoutBuffer buffer) { return compiled.buffers.bytes[buffer].size(); };
     for (const auto buffer : {BUFFER_OBJECTS, BUFFER_GROUPS, BUFFER_MEMBERS, BUFFER_PROGRAMS, BUFFER_PLANES,
-                              BUFFER_BLOCKS, BUFFER_SPHERES, BUFFER_QUADRICS})
-        stored += compiled.buffers.bytes[buffer].size();
-    EXPECT_EQ(reported, stored);
+                              BUFFER_BLOCKS, BUFFER_SPHERES, BUFFER_QUADRICS, BUFFER_TORI})
+        stored += bytes_of(buffer);
+    EXPECT_EQ(sum.bytes, stored);
+    EXPECT_EQ(sum.planes * sizeof(LayoutPlane), bytes_of(BUFFER_PLANES));
+    EXPECT_EQ(sum.spheres * sizeof(LayoutSphere), bytes_of(BUFFER_SPHERES));
+    EXPECT_EQ(sum.quadrics * sizeof(LayoutQuadric), bytes_of(BUFFER_QUADRICS));
 }
 
 TEST(CompileScene, AFarObjectKeepsItsPlaceToTheRoundingOfItsSize)

@@ -89,7 +89,7 @@ std::vector<FloatBox> random_boxes(std::size_t count, unsigned seed)
 
 TEST(Tree, HoldsEveryBoxOnce)
 {
-    for (const std::size_t count : {0U, 1U, 7U, 8U, 9U, 16U, 17U, 40U, 100U, 1000U, 30000U})
+    for (const std::size_t count : {0U, 1U, 7U, 8U, 9U, 16U, 17U, 40U, 100U, 1000U, 30000U, 200000U})
         expect_sound(random_boxes(count, static_cast<unsigned>(count)));
 }
 
