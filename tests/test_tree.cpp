@@ -104,6 +104,21 @@ TEST(Tree, HoldsBoxesWithoutEndAndBoxesInOnePlace)
     expect_sound(boxes);
 }
 
+TEST(Tree, HoldsBoxesWhoseSurfaceIsBeyondAllNumbers)
+{
+    std::vector<FloatBox> boxes = random_boxes(200, 3);
+    for (FloatBox& box : boxes)
+        for (auto* bounds : {&box.low, &box.high})
+            for (float& x : *bounds) x *= 1e30F;
+    expect_sound(boxes);
+}
+
+TEST(Tree, HasFewerNodesThanAQuarterOfTheBoxes)
+{
+    for (const std::size_t count : {100U, 1000U, 30000U})
+        EXPECT_LT(build_tree(random_boxes(count, 4)).nodes.size(), count / 4);
+}
+
 TEST(Tree, IsDividedWhereThatPays)
 {
     // Two clouds far apart: no child of the root spans the gap.
