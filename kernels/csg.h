@@ -69,6 +69,7 @@ static inline Span span_simplified(Span s)
     if (s.lo == -INFINITE) {
         s.lo = s.hi;
         s.slope_lo = s.slope_hi;
+        s.chord = INFINITE;
         s.face_lo = s.face_hi;
         s.hi = INFINITE;
         s.keep = 1;
@@ -100,6 +101,7 @@ static inline void cut_block(const World* world, __global const LayoutPlaneBlock
     const real lo = wide_largest(ends_lo), hi = wide_smallest(ends_hi);
     if (lo > span->lo) {
         span->lo = lo;
+        span->chord = INFINITE;
         span->slope_lo = block_slope(world, block, ends_lo == wide_all(lo), line, &span->face_lo);
     }
     if (hi < span->hi) {
@@ -122,6 +124,7 @@ static inline Span group_span(const World* world, const LayoutGroup group, const
         if (m.lo > span.lo) {
             span.lo = m.lo;
             span.slope_lo = m.slope_lo;
+            span.chord = m.chord;
             span.face_lo = m.face_lo;
         }
         if (m.hi < span.hi) {
@@ -138,10 +141,19 @@ static inline Span group_span(const World* world, const LayoutGroup group, const
     return span_simplified(span);
 }
 
+/* Whether the span begins before x, or within rounding of it. Before its low end the line runs away from a curved
+ * surface faster than the slope there tells: as much faster as the way is long beside the chord behind that end. */
+static inline int passed_lo(const Span* s, real x, real doubt)
+{
+    const real ahead = s->lo - x;
+    return passed(s->lo, s->slope_lo, x, doubt) &&
+           (ahead <= R(0) || fma(ahead, ahead / s->chord, ahead) <= s->slope_lo * doubt);
+}
+
 /* Whether the span holds the point just after x, and after all ends that rounding cannot tell from x. */
 static inline int span_holds(const Span* s, real x, real doubt)
 {
-    const int after_lo = passed(s->lo, s->slope_lo, x, doubt);
+    const int after_lo = passed_lo(s, x, doubt);
     const int after_hi = passed(s->hi, s->slope_hi, x, doubt);
     return (after_lo && !after_hi) == s->keep;
 }
@@ -196,7 +208,7 @@ static inline real next_end(const Span* spans, u32 count, real x, real doubt)
     real next = INFINITE;
     for (u32 i = 0; i < count; i++) {
         const Span s = spans[i];
-        if (s.lo < next && !passed(s.lo, s.slope_lo, x, doubt)) next = s.lo;
+        if (s.lo < next && !passed_lo(&s, x, doubt)) next = s.lo;
         if (s.hi < next && !passed(s.hi, s.slope_hi, x, doubt)) next = s.hi;
     }
     return next;
@@ -279,8 +291,7 @@ static inline int object_crossing(World* world, __global const LayoutObject* obj
         return 1;
     }
     if (!is_finite(crossing->at)) return 0;
-    if (at_lo &&
-        (passed(s.lo, s.slope_lo, from, doubt) || passed(s.hi, s.slope_hi, s.lo, place_error(line, s.lo, R(0)))))
+    if (at_lo && (passed_lo(&s, from, doubt) || passed(s.hi, s.slope_hi, s.lo, place_error(line, s.lo, R(0)))))
         return 0;
     crossing->t = crossing->at - line->start;
     crossing->err = crossing_error(line, crossing);

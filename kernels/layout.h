@@ -117,7 +117,9 @@ typedef struct {
     u32 group_begin, group_count;
     u32 program_begin, program_count;
     u32 optics;
-    u32 texture; /* TEXTURE_NONE or an index */
+    u32 texture;   /* TEXTURE_NONE or an index */
+    u32 sole;      /* the member of an object that has no other; MEMBER_NONE: look into its groups */
+    u32 unused[2]; /* so that an object fills a line of the cache */
 } LayoutObject;
 #define FORM_ALL 0u     /* the intersection of its groups */
 #define FORM_ANY 1u     /* their union; it has a program too */

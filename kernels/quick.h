@@ -86,23 +86,28 @@ INLINED QuickSpan quick_complement(QuickSpan s)
     return s;
 }
 
-/* A group's span; one that does not keep has two ends. Of several members a sphere comes first, which is likely to hold
- * all the rest, then the planes. */
-INLINED QuickSpan quick_group(const World* world, __global const LayoutGroup* group, const QuickLine* line)
+/* The span of an object's group; one that does not keep has two ends. Of several members a sphere comes first, which is
+ * likely to hold all the rest, then the planes. */
+INLINED QuickSpan quick_group(const World* world, __global const LayoutObject* object, u32 number,
+                              const QuickLine* line)
 {
-    const u32 single = group->single;
+    const u32 sole = object->sole;
+    LayoutGroup group = {0, 1, 1, 0, 0, 0}; /* of a sole member */
+    if (sole == MEMBER_NONE) group = world->groups[object->group_begin + number];
+    const u32 single = group.single;
     QuickSpan s = quick_span(-INFINITE, INFINITE, 0, 1);
 #ifdef CLU_PLANE
-    u32 blocks_at = single && (world->members[group->begin] & MEMBER_KIND) == MEMBER_SPHERE ? 1u : 0u;
+    const int sphere = group.block_count && single && (world->members[group.begin] & MEMBER_KIND) == MEMBER_SPHERE;
+    const u32 blocks_at = sphere ? 1u : 0u;
     for (u32 i = 0; i <= single && s.lo < s.hi; i++) {
-        for (u32 k = 0; i == blocks_at && k < group->block_count && s.lo < s.hi; k++)
-            quick_block(&world->blocks[group->block_begin + k], group->block_begin + k, line, &s);
+        for (u32 k = 0; i == blocks_at && k < group.block_count && s.lo < s.hi; k++)
+            quick_block(&world->blocks[group.block_begin + k], group.block_begin + k, line, &s);
         if (i == single) break;
 #else
     for (u32 i = 0; i < single && s.lo < s.hi; i++) {
 #endif
-        const QuickSpan m = quick_member(world, world->members[group->begin + i], line);
-        if (group->count == 1)
+        const QuickSpan m = quick_member(world, sole != MEMBER_NONE ? sole : world->members[group.begin + i], line);
+        if (group.count == 1)
             s = m;
         else
             quick_cut(&s, &m);
@@ -112,7 +117,7 @@ INLINED QuickSpan quick_group(const World* world, __global const LayoutGroup* gr
         s.hi += line->tolerance;
         s.marks |= QUICK_VAGUE;
     }
-    if (group->inverse) {
+    if (group.inverse) {
         s = quick_complement(s);
         s.face_lo ^= MEMBER_INVERSE;
         s.face_hi ^= MEMBER_INVERSE;
@@ -214,7 +219,7 @@ static CALLED int quick_crossing(const World* world, u32 id, const Ray* ray, int
     c->tolerance = line.tolerance;
     if (object->form == FORM_PROGRAM) return quick_unsure(c, R(0));
     for (u32 i = 0; i < object->group_count; i++) {
-        QuickSpan s = quick_group(world, &world->groups[object->group_begin + i], &line);
+        QuickSpan s = quick_group(world, object, i, &line);
         if (any) s = quick_complement(s);
         if (s.keep)
             quick_cut(&solid.whole, &s);
@@ -243,7 +248,7 @@ static CALLED int quick_holds(const World* world, u32 id, const Ray* ray, real t
     const int any = object->form == FORM_ANY;
     if (object->form == FORM_PROGRAM) return -1;
     for (u32 i = 0; i < object->group_count; i++) {
-        const QuickSpan s = quick_group(world, &world->groups[object->group_begin + i], &line);
+        const QuickSpan s = quick_group(world, object, i, &line);
         if (s.marks & QUICK_VAGUE && s.lo <= at && at <= s.hi) return -1;
         if (fabs(s.lo - at) <= line.tolerance || fabs(s.hi - at) <= line.tolerance) return -1;
         if (((s.lo < at && at < s.hi) == s.keep) == any) return any;

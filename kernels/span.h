@@ -10,6 +10,7 @@
 typedef struct {
     real lo, hi;
     real slope_lo, slope_hi;
+    real chord; /* how long the line runs behind the surface of its low end */
     u32 face_lo, face_hi;
     int keep; /* inside is lo..hi; else inside is all but lo..hi */
 } Span;
@@ -20,6 +21,7 @@ static inline Span make_span(real lo, real hi, real slope, int keep)
     s.lo = lo;
     s.hi = hi;
     s.slope_lo = s.slope_hi = slope;
+    s.chord = hi - lo;
     s.face_lo = s.face_hi = MEMBER_NONE;
     s.keep = keep;
     return s;

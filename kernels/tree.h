@@ -40,6 +40,11 @@ INLINED wide reach(__global const float* bounds, real o, real inverse)
     return (load_wide(bounds) - wide_all(o)) * wide_all(inverse);
 }
 
+/* A benchmark counts the nodes that are opened. */
+#ifndef NODE_OPENED
+#define NODE_OPENED() ((void)0)
+#endif
+
 /* Puts the node's children that are met between from and to onto the stack, sorted down to base. */
 INLINED void walk_open(Walk* walk, __global const LayoutNode* node, real from, real to, u32 base)
 {
@@ -86,6 +91,7 @@ static CALLED u32 walk_next(Walk* walk, const World* world, real from, real to)
             node = ref & ~NODE_INNER;
             base = walk->count;
         }
+        NODE_OPENED();
         walk_open(walk, &world->nodes[node], from, to, base);
     }
 }

@@ -115,6 +115,7 @@ public:
         }
         object.group_count = static_cast<u32>(out.groups.size()) - object.group_begin;
         object.program_count = static_cast<u32>(out.programs.size()) - object.program_begin;
+        object.sole = sole_member(object);
         object.grain = static_cast<float>(grain);
     }
 
@@ -122,6 +123,14 @@ private:
     static bool is_flat(const Form& form)
     {
         return std::ranges::all_of(form.parts, [](const Form& p) { return p.kind == Form::Kind::group; });
+    }
+
+    /// In a scene of many objects each buffer that is looked into is a line fetched from memory, one after the other.
+    u32 sole_member(const LayoutObject& object) const
+    {
+        if (object.group_count != 1 || object.program_count != 0) return MEMBER_NONE;
+        const LayoutGroup& group = out.groups[object.group_begin];
+        return group.count == 1 && group.inverse == 0 ? out.members[group.begin] : MEMBER_NONE;
     }
 
     u32 add_group(const Group& group)

@@ -22,8 +22,9 @@ static_assert(sizeof(LayoutPlaneBlock) == words(40) && offsetof(LayoutPlaneBlock
 static_assert(offsetof(LayoutPlaneBlock, plane) == words(32));
 static_assert(sizeof(LayoutNode) == words(56) && offsetof(LayoutNode, child) == words(48));
 static_assert(sizeof(LayoutGroup) == words(6));
-static_assert(sizeof(LayoutObject) == words(13) && offsetof(LayoutObject, group_begin) == words(7));
+static_assert(sizeof(LayoutObject) == words(16) && offsetof(LayoutObject, group_begin) == words(7));
 static_assert(offsetof(LayoutObject, optics) == words(11) && offsetof(LayoutObject, texture) == words(12));
+static_assert(offsetof(LayoutObject, sole) == words(13));
 static_assert(sizeof(LayoutOptics) == words(9) && offsetof(LayoutOptics, extinction) == words(4));
 static_assert(offsetof(LayoutOptics, flags) == words(7) && offsetof(LayoutOptics, rank) == words(8));
 static_assert(sizeof(LayoutImage) == words(4));

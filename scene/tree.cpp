@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <future>
 #include <limits>
 #include <numeric>
@@ -13,6 +14,7 @@ namespace {
 constexpr std::size_t width = 8;
 constexpr std::size_t most_upfront = 64; ///< children of roots that a walk begins with
 constexpr std::size_t bins = 16;
+constexpr float room_of_node = 32; ///< of a node: a surface so many times the root's over the number of boxes
 constexpr std::size_t least_parallel = 20000; ///< boxes; below, a thread costs more than it gains
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -116,27 +118,84 @@ std::size_t divide(Items items)
     return count > 0 && count < items.size() ? count : items.size() / 2; // all in one place, or rounding
 }
 
-/// Up to eight parts: the one with the largest surface is divided again and again.
-std::vector<Items> parts_of(Items items)
+/// A node of the tree of two children each, over `count` boxes: what is below its first child follows it, then what is
+/// below the second, 2 count - 1 forks in all.
+struct Fork {
+    FloatBox box;
+    u32 count = 1;
+    u32 object = 0; ///< of the one box, where that is all
+    /// What all nodes below cost if it becomes at most i + 1 children of a node above; and how many of these are its
+    /// first child's, or 0 where it is cheapest as a node of its own.
+    std::array<float, width> cost{};
+    std::array<std::uint8_t, width> first{};
+    std::uint8_t own_first = 1; ///< of its own node's children
+};
+using Forks = std::span<Fork>;
+
+Forks first_of(Forks forks)
 {
-    struct Part {
-        Items items;
-        float size; ///< surface; 0 of what cannot be divided
-    };
-    std::vector<Part> parts{{items, 1}};
-    while (parts.size() < width) {
-        const auto largest =
-            std::ranges::max_element(parts, {}, [](const Part& p) { return p.items.size() > 1 ? p.size : -1; });
-        if (largest->items.size() < 2) break;
-        const std::size_t left = divide(largest->items);
-        const Items a = largest->items.first(left), b = largest->items.subspan(left);
-        *largest = {a, area(around(a))};
-        parts.push_back({b, area(around(b))});
+    return forks.subspan(1, 2 * std::size_t{forks[1].count} - 1);
+}
+Forks second_of(Forks forks)
+{
+    return forks.subspan(2 * std::size_t{forks[1].count});
+}
+
+/// Chooses what a fork becomes when that is known of its children (the optimal collapse of Ylitie, Karras, Laine 2017).
+/// A node costs its surface, for so often it is met, and a little more for the room that it takes in the caches.
+void weigh(Fork& fork, const Fork& a, const Fork& b, float room)
+{
+    for (std::size_t most = 2; most <= width; most++) {
+        float& least = fork.cost[most - 1];
+        for (std::size_t first = 1; first < most; first++) {
+            const float cost = a.cost[first - 1] + b.cost[most - first - 1];
+            if (first > 1 && !(cost < least)) continue;
+            least = cost;
+            fork.first[most - 1] = static_cast<std::uint8_t>(first);
+        }
     }
-    std::vector<Items> out;
-    out.reserve(parts.size());
-    for (const Part& part : parts) out.push_back(part.items);
-    return out;
+    fork.own_first = fork.first[width - 1];
+    fork.cost[0] = fork.cost[width - 1] + area(fork.box) + room;
+    for (std::size_t i = 1; i < width; i++) {
+        if (!(fork.cost[0] < fork.cost[i])) continue;
+        fork.cost[i] = fork.cost[0];
+        fork.first[i] = 0;
+    }
+}
+
+void divide_all(Items items, Forks forks, float room)
+{
+    Fork& fork = forks[0];
+    fork.count = static_cast<u32>(items.size());
+    if (items.size() == 1) {
+        fork.box = items[0].box;
+        fork.object = items[0].object;
+        return;
+    }
+    const std::size_t left = divide(items);
+    const Forks a = forks.subspan(1, 2 * left - 1), b = forks.subspan(2 * left);
+    std::future<void> pending;
+    if (items.size() >= least_parallel)
+        pending = std::async(std::launch::async, divide_all, items.first(left), a, room);
+    else
+        divide_all(items.first(left), a, room);
+    divide_all(items.subspan(left), b, room);
+    if (pending.valid()) pending.get();
+    fork.box = a[0].box;
+    enclose(fork.box, b[0].box);
+    weigh(fork, a[0], b[0], room);
+}
+
+/// What becomes of a fork as at most so many children of a node.
+void collect(Forks forks, std::size_t most, std::vector<Forks>& children)
+{
+    const std::size_t first = forks.size() == 1 ? 0 : forks[0].first[most - 1];
+    if (first == 0) {
+        children.push_back(forks);
+        return;
+    }
+    collect(first_of(forks), first, children);
+    collect(second_of(forks), most - first, children);
 }
 
 LayoutNode empty_node()
@@ -158,58 +217,44 @@ void set_child(LayoutNode& node, std::size_t lane, const FloatBox& box, u32 chil
     node.child[lane] = child;
 }
 
-/// Nodes to reserve: a little more than spheres at random take (0.3 a box). Growing step by step holds twice as many.
+/// Nodes to reserve: a little more than spheres at random take (0.23 a box). Growing step by step holds twice as many.
 std::size_t room_for(Items items)
 {
-    return items.size() / 3 + 1;
+    return items.size() / 4 + 1;
 }
 
-std::size_t grow(std::vector<LayoutNode>& nodes, std::size_t at, Items items);
-
-/// A subtree of its own, made beside others: the first node is its root, inner references count from there.
-struct Subtree {
-    std::vector<LayoutNode> nodes;
-    std::size_t depth;
-    explicit Subtree(Items items)
-    {
-        nodes.reserve(room_for(items));
-        nodes.push_back(empty_node());
-        depth = grow(nodes, 0, items);
-    }
-};
-
-/// Makes the node there the root over the items; what is beneath it goes to the end. Returns how many nodes lie on the
-/// longest way down.
-std::size_t grow(std::vector<LayoutNode>& nodes, std::size_t at, Items items)
+/// Fills a node; all below it goes to the end, what is below a child right after that. Returns how many nodes and objects
+/// may wait in a walk that goes down into it, besides what waited before.
+std::size_t fill_node(std::vector<LayoutNode>& nodes, std::size_t index, Forks forks)
 {
-    const std::vector<Items> parts = parts_of(items);
-    std::vector<std::future<Subtree>> pending(parts.size());
-    for (std::size_t lane = 0; lane < parts.size(); lane++)
-        if (parts[lane].size() >= least_parallel)
-            pending[lane] = std::async(std::launch::async, [part = parts[lane]] { return Subtree(part); });
-    std::size_t depth = 0;
-    for (std::size_t lane = 0; lane < parts.size(); lane++) {
-        const Items part = parts[lane];
-        if (part.size() == 1) {
-            set_child(nodes[at], lane, part[0].box, part[0].object);
-            continue;
-        }
-        const auto root = static_cast<u32>(nodes.size());
-        set_child(nodes[at], lane, around(part), NODE_INNER | root);
-        if (!pending[lane].valid()) {
-            nodes.push_back(empty_node());
-            depth = std::max(depth, grow(nodes, root, part));
-            continue;
-        }
-        const Subtree made = pending[lane].get();
-        for (LayoutNode node : made.nodes) {
-            for (u32& child : node.child)
-                if ((child & NODE_INNER) != 0) child += root;
-            nodes.push_back(node);
-        }
-        depth = std::max(depth, made.depth);
+    std::vector<Forks> children;
+    if (forks.size() == 1) {
+        children.push_back(forks);
+    } else {
+        collect(first_of(forks), forks[0].own_first, children);
+        collect(second_of(forks), width - forks[0].own_first, children);
     }
-    return depth + 1;
+    std::size_t deepest = 1;
+    for (std::size_t lane = 0; lane < children.size(); lane++) {
+        const Fork& child = children[lane][0];
+        if (child.count == 1) {
+            set_child(nodes[index], lane, child.box, child.object);
+            continue;
+        }
+        const std::size_t below = nodes.size();
+        set_child(nodes[index], lane, child.box, NODE_INNER | static_cast<u32>(below));
+        nodes.push_back(empty_node());
+        deepest = std::max(deepest, fill_node(nodes, below, children[lane]));
+    }
+    return children.size() - 1 + deepest;
+}
+
+/// Makes the first node the root over the items. Returns Tree's reserve.
+std::size_t grow(std::vector<LayoutNode>& nodes, Items items)
+{
+    std::vector<Fork> forks(2 * items.size() - 1);
+    divide_all(items, forks, room_of_node * area(around(items)) / static_cast<float>(items.size()));
+    return std::max(fill_node(nodes, 0, forks), width) - width;
 }
 
 bool is_bounded(const FloatBox& b)
@@ -249,7 +294,7 @@ Tree build_tree(std::vector<FloatBox> boxes)
     tree.roots = tree.nodes.size();
     if (!bounded.empty()) {
         tree.nodes.reserve(tree.roots + room_for(bounded));
-        tree.reserve = (width - 1) * (grow(tree.nodes, 0, bounded) - 1);
+        tree.reserve = grow(tree.nodes, bounded);
     }
     tree.stack = std::min(width * tree.roots, most_upfront) + tree.reserve;
     return tree;

@@ -184,6 +184,19 @@ TEST(CompileSolids, ATorusIsTwoPartsOfOnePrimitiveAndMayBeTurnedMovedMirroredAnd
     EXPECT_EQ(members[0] ^ members[1], MEMBER_PART);
 }
 
+TEST(CompileSolids, AnObjectOfOneMemberNamesItAndNoOther)
+{
+    const SolidPtr ball = sphere({1, 2, 3}, 1), half = plane({1, 2, 3}, {0, 0, 1});
+    const Native native(scene_of({half, ball, complement(ball), solid(scene::Intersection{{ball, half}}),
+                                  solid(scene::Union{{ball, half}}), cuboid({0, 0, 0}, {1, 1, 1})}));
+    const auto objects = native.items<LayoutObject>(BUFFER_OBJECTS);
+    const auto members = native.items<u32>(BUFFER_MEMBERS);
+    for (const std::size_t i : {0U, 1U})
+        EXPECT_EQ(objects[i].sole, members[native.items<LayoutGroup>(BUFFER_GROUPS)[objects[i].group_begin].begin]);
+    for (const std::size_t i : {3U, 4U, 5U}) EXPECT_EQ(objects[i].sole, MEMBER_NONE) << i;
+    EXPECT_TRUE(objects[2].sole == MEMBER_NONE || (objects[2].sole & MEMBER_INVERSE) != 0);
+}
+
 TEST(CompileSolids, ASlabOrAHalfSpaceWrittenAsAQuadricIsMadeOfPlanes)
 {
     const auto planes = [](std::array<double, 10> q) {

@@ -283,5 +283,43 @@ TYPED_TEST(KernelsHardCases, SizesAtTheEndsOfWhatASceneMayHoldGiveNoNaN)
     }
 }
 
+/// The rim of a ball of radius r: a ray from o along d meets it after `ahead`, at that slope (1/cos of the incidence).
+Vec3 center_behind_rim(Vec3 o, Vec3 d, Vec3 aside, double r, double ahead, double slope)
+{
+    return o + d * (ahead + r / slope) + aside * (r * std::sqrt(1 - 1 / (slope * slope)));
+}
+
+TYPED_TEST(KernelsHardCases, ASmallBallThatARayHardlyCutsIsNotMetBeforeItsRim)
+{
+    // The balls are small beside what the rays' starts are rounded by: by the slope alone, a fifth of a radius before
+    // the rim would count as on it.
+    using P = TypeParam;
+    constexpr double r = 1.5e-3;
+    Random random(5);
+    Stats stats{};
+    int met = 0;
+    for (int i = 0; i < 40000 / P::share; i++) {
+        const Vec3 a = Vec3{0, 4, 0} + random_in_box(random, 1);
+        const auto first = next_hit<P>(Native(scene_of({sphere(a, r)})), {{}, scene::unit(a)}, {}, stats);
+        ASSERT_TRUE(first);
+        const Vec3 side = random_direction(random), d = scene::unit(first->n + side * uniform(random));
+        const Vec3 aside = scene::unit(scene::cross(d, random_direction(random)));
+        const Vec3 b =
+            center_behind_rim(first->p, d, aside, r, log_uniform(random, 1e-6, 3e-4), log_uniform(random, 10, 1000));
+        const bool cut = i % 2 == 0;
+        const SolidPtr ball = sphere(b, r);
+        const Native both(scene_of({sphere(a, r), cut ? solid(scene::Intersection{{ball, plane(b, d)}}) : ball}));
+        const Path path = back(*first, d);
+        const auto hit = next_hit<P>(both, path, {}, stats);
+        if (!hit || hit->object != 1) continue;
+        met++;
+        const Vec3 way = hit->p - path.o;
+        EXPECT_LE(scene::length(way - d * scene::dot(way, d)), hit->err) << "it lies on the ray";
+        next_hit<P>(both, back(*hit, mirrored<P>(d, facing(*hit, d))), {}, stats);
+    }
+    EXPECT_GT(met, 20000 / P::share);
+    EXPECT_EQ(stats[STAT_PARITY], 0U);
+}
+
 } // namespace
 } // namespace clucida::test

@@ -89,13 +89,13 @@ std::vector<FloatBox> random_boxes(std::size_t count, unsigned seed)
 
 TEST(Tree, HoldsEveryBoxOnce)
 {
-    for (const std::size_t count : {0U, 1U, 7U, 8U, 9U, 16U, 17U, 40U, 100U, 1000U, 30000U, 200000U})
+    for (const std::size_t count : {0U, 1U, 7U, 8U, 9U, 40U, LIST_CAPACITY, LIST_CAPACITY + 1U, 100U, 1000U, 30000U, 200000U})
         expect_sound(random_boxes(count, static_cast<unsigned>(count)));
 }
 
 TEST(Tree, HoldsBoxesWithoutEndAndBoxesInOnePlace)
 {
-    std::vector<FloatBox> boxes = random_boxes(50, 1);
+    std::vector<FloatBox> boxes = random_boxes(100, 1);
     boxes[3].high[1] = infinity;
     boxes[20].low = {-infinity, -infinity, -infinity};
     expect_sound(boxes);
@@ -104,11 +104,26 @@ TEST(Tree, HoldsBoxesWithoutEndAndBoxesInOnePlace)
     expect_sound(boxes);
 }
 
+TEST(Tree, HoldsBoxesWhoseSurfaceIsBeyondAllNumbers)
+{
+    std::vector<FloatBox> boxes = random_boxes(200, 3);
+    for (FloatBox& box : boxes)
+        for (auto* bounds : {&box.low, &box.high})
+            for (float& x : *bounds) x *= 1e30F;
+    expect_sound(boxes);
+}
+
+TEST(Tree, HasFewerNodesThanAQuarterOfTheBoxes)
+{
+    for (const std::size_t count : {100U, 1000U, 30000U})
+        EXPECT_LT(build_tree(random_boxes(count, 4)).nodes.size(), count / 4);
+}
+
 TEST(Tree, IsDividedWhereThatPays)
 {
     // Two clouds far apart: no child of the root spans the gap.
-    std::vector<FloatBox> boxes = random_boxes(64, 2);
-    for (std::size_t i = 0; i < 32; i++)
+    std::vector<FloatBox> boxes = random_boxes(2 * LIST_CAPACITY, 2);
+    for (std::size_t i = 0; i < LIST_CAPACITY; i++)
         for (auto* bounds : {&boxes[i].low, &boxes[i].high}) (*bounds)[0] += 10000;
     const Tree tree = build_tree(boxes);
     ASSERT_EQ(tree.roots, 1U);
