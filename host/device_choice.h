@@ -21,7 +21,7 @@ struct DeviceInfo {
     std::size_t max_group = 1; ///< work-items of a work-group
     bool usable = true;        ///< available, with a compiler
     bool has_double = false;
-    unsigned float_lanes = 1; ///< floats of a vector register, as the implementation has it
+    unsigned float_lanes = 1;     ///< floats of a vector register, as the implementation has it
     bool rounds_division = false; ///< division and square root can be asked to be correctly rounded
 };
 

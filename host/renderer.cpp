@@ -12,7 +12,8 @@ namespace {
 constexpr unsigned most_capacity = 512;
 constexpr Shape packet_block{32, 32}; ///< PACKET_TILE (kernels/packets/stacks.h)
 constexpr unsigned packet_lanes = 8;
-constexpr std::size_t dummy_bytes = 16; ///< of an empty buffer, which OpenCL does not have
+constexpr std::size_t most_packet_objects = 16384; ///< measured: docs/performance.md, "Many objects"
+constexpr std::size_t dummy_bytes = 16;            ///< of an empty buffer, which OpenCL does not have
 
 void require_room(const scene::Buffers& buffers, const DeviceInfo& device)
 {
@@ -94,10 +95,10 @@ void render_once(Renderer& renderer, const DeviceBuffers& buffers, const RenderS
 
 } // namespace
 
-KernelShape kernel_shape(const DeviceInfo& device)
+KernelShape kernel_shape(const DeviceInfo& device, std::size_t objects)
 {
     const bool wide = device.kind == DeviceKind::cpu && device.float_lanes >= packet_lanes;
-    return wide ? KernelShape::packets : KernelShape::pixels;
+    return wide && objects <= most_packet_objects ? KernelShape::packets : KernelShape::pixels;
 }
 
 void enqueue_each(const Renderer& renderer, const cl::Kernel& kernel, std::size_t count)
@@ -152,7 +153,8 @@ Frame render_frame(Renderer& renderer, const scene::Compiled& compiled, const Re
         Frame frame;
         frame.device = describe(renderer.device.info);
         frame.needs = compiled.needs;
-        frame.kernel = settings.kernel.value_or(kernel_shape(renderer.device.info));
+        frame.kernel = settings.kernel.value_or(
+            kernel_shape(renderer.device.info, compiled.buffers.bytes[BUFFER_OBJECTS].size() / sizeof(LayoutObject)));
         frame.picture = {settings.picture.width, settings.picture.height, {}};
         if (!hooks.rows) frame.picture = make_picture(settings.picture.width, settings.picture.height);
 

@@ -21,8 +21,8 @@ namespace clucida::host {
 /// pixels, which traces packets of rays side by side in the registers of a CPU with wide vectors.
 enum class KernelShape { pixels, packets };
 
-/// The one that is made for the device.
-KernelShape kernel_shape(const DeviceInfo& device);
+/// The faster one on the device for a scene of so many objects: in a large tree the rays of a packet part soon.
+KernelShape kernel_shape(const DeviceInfo& device, std::size_t objects);
 
 struct RenderSettings {
     Shape picture;        ///< as the scene was compiled for

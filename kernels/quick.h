@@ -148,8 +148,8 @@ INLINED int quick_end(QuickCrossing* c, real at, u32 face)
     return 1;
 }
 
-/* Where the solid is entered from `from` on, which it does not hold: where it ends about there it lies behind, and a gap
- * that begins about there holds the ray, if no other one ends there. */
+/* Where the solid is entered from `from` on, which it does not hold: where it ends about there it lies behind, and a
+ * gap that begins about there holds the ray, if no other one ends there. */
 INLINED int quick_entry(const QuickSolid* solid, real from, real tolerance, QuickCrossing* c)
 {
     const QuickSpan* whole = &solid->whole;

@@ -223,8 +223,8 @@ std::size_t room_for(Items items)
     return items.size() / 4 + 1;
 }
 
-/// Fills a node; all below it goes to the end, what is below a child right after that. Returns how many nodes and objects
-/// may wait in a walk that goes down into it, besides what waited before.
+/// Fills a node; all below it goes to the end, what is below a child right after that. Returns how many nodes and
+/// objects may wait in a walk that goes down into it, besides what waited before.
 std::size_t fill_node(std::vector<LayoutNode>& nodes, std::size_t index, Forks forks)
 {
     std::vector<Forks> children;

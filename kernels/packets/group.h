@@ -47,21 +47,24 @@ INLINED void packet_complement(PacketSpan* s)
     s->keep |= one_sided;
 }
 
-/* A group's span; where it does not keep it has two ends. */
-static CALLED void packet_group(const World* world, __global const LayoutGroup* group, const PacketLine* l,
-                                PacketSpan* s)
+/* The span of an object's group; where it does not keep it has two ends. */
+static CALLED void packet_group(const World* world, __global const LayoutObject* object, u32 number,
+                                const PacketLine* l, PacketSpan* s)
 {
+    const u32 sole = object->sole;
+    LayoutGroup group = {0, 1, 1, 0, 0, 0}; /* of a sole member */
+    if (sole == MEMBER_NONE) group = world->groups[object->group_begin + number];
     *s = packet_span(-INFINITE, INFINITE);
-    for (u32 i = 0; i < group->count; i++) {
-        const u32 member = world->members[group->begin + i];
+    for (u32 i = 0; i < group.count; i++) {
+        const u32 member = sole == MEMBER_NONE ? world->members[group.begin + i] : sole;
 #ifdef CLU_PLANE
-        if ((member & MEMBER_KIND) == MEMBER_PLANE && group->count > 1u) {
+        if ((member & MEMBER_KIND) == MEMBER_PLANE && group.count > 1u) {
             packet_plane(&world->planes[member >> MEMBER_SHIFT], member, l, s);
             continue;
         }
 #endif
         const PacketSpan m = packet_member(world, member, l);
-        if (group->count == 1u)
+        if (group.count == 1u)
             *s = m;
         else
             packet_cut(s, all_ids(-1), &m);
@@ -73,7 +76,7 @@ static CALLED void packet_group(const World* world, __global const LayoutGroup* 
         s->lo_in = where(thin, wide_all(INFINITE), s->lo_in);
         s->hi_in = where(thin, wide_all(-INFINITE), s->hi_in);
     }
-    if (group->inverse) {
+    if (group.inverse) {
         packet_complement(s);
         s->face_lo ^= all_ids((int)MEMBER_INVERSE);
         s->face_hi ^= all_ids((int)MEMBER_INVERSE);
