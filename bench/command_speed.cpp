@@ -18,7 +18,7 @@ namespace clucida::bench {
 namespace {
 
 struct SpeedOptions {
-    std::vector<std::string> scenes, precisions{"float"}, threads{"all"}, devices;
+    std::vector<std::string> scenes, precisions{"float"}, threads{"all"}, kernels{"auto"}, devices;
     std::string format, allow_path, size = "640x360", compiler, error, json;
     unsigned samples = 1, rounds = 9;
     std::size_t error_pixels = 1000;
@@ -67,18 +67,26 @@ std::vector<SpeedContender> contenders_of(const SpeedOptions& o, const std::vect
 {
     std::vector<unsigned> limits;
     for (const std::string& text : o.threads) limits.push_back(thread_limit(text));
+    std::vector<std::optional<host::KernelShape>> kernels;
+    for (const std::string& name : o.kernels) {
+        if (name == "auto")
+            kernels.emplace_back();
+        else
+            kernels.emplace_back(name == "packets" ? host::KernelShape::packets : host::KernelShape::pixels);
+    }
     std::vector<SpeedContender> out;
     for (const host::Precision precision : precisions_of(o)) {
         for (const host::Device& device : devices) {
             if (precision == host::Precision::twofold) host::require_double(device.info);
             const std::string place = fmt::format("{}:{}", device.info.platform, device.info.device);
-            if (device.info.kind != host::DeviceKind::cpu)
-                out.push_back({place, precision, 0});
-            else
-                for (const unsigned limit : limits) out.push_back({place, precision, limit});
+            const bool limited = device.info.kind == host::DeviceKind::cpu;
+            for (const auto& kernel : kernels)
+                for (const unsigned limit : limited ? limits : std::vector{0U})
+                    out.push_back({place, precision, limit, kernel});
         }
         if (!o.native) continue;
-        for (const unsigned limit : limits) out.push_back({"", precision, limit});
+        for (const auto& kernel : kernels)
+            for (const unsigned limit : limits) out.push_back({"", precision, limit, kernel});
     }
     return out;
 }
@@ -185,6 +193,10 @@ void add_contender_options(CLI::App& command, SpeedOptions& o)
     command.add_option("--precision", o.precisions, "float, double or both")
         ->delimiter(',')
         ->check(CLI::IsMember({"float", "double", "both"}))
+        ->option_text("NAME,...");
+    command.add_option("--kernel", o.kernels, "auto (as the device is), pixels or packets: --kernel pixels,packets")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"auto", "pixels", "packets"}))
         ->option_text("NAME,...");
     command.add_option("--threads", o.threads, "limits of a CPU's threads: --threads 1,2,all")
         ->delimiter(',')

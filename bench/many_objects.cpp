@@ -94,10 +94,11 @@ void measure(const std::string& file, const Options& o)
     }
     const double pixels = static_cast<double>(size.width) * size.height;
     const double rays = p.stats[STAT_RAYS] + p.stats[STAT_SHADOW];
-    fmt::print("| {} | {:.1f} | {:.2f} | {:.2f} | {:.1f} | {:.2f} | {:.2f} | {:.0f} | {} |\n", compiled.buffers.bytes[BUFFER_OBJECTS].size() / sizeof(LayoutObject),
-               static_cast<double>(bytes) * 1e-6, rays / pixels, p.stats[STAT_TESTS] / rays,
-               static_cast<double>(p.nodes) / rays, 1e6 * median(cold) / pixels, 1e6 * median(warm) / pixels,
-               1e9 * median(cold) / rays, p.stats[STAT_PARITY]);
+    fmt::print("| {} | {:.1f} | {:.2f} | {:.2f} | {:.1f} | {:.2f} | {:.2f} | {:.0f} | {} |\n",
+               compiled.buffers.bytes[BUFFER_OBJECTS].size() / sizeof(LayoutObject), static_cast<double>(bytes) * 1e-6,
+               rays / pixels, p.stats[STAT_TESTS] / rays, static_cast<double>(p.nodes) / rays,
+               1e6 * median(cold) / pixels, 1e6 * median(warm) / pixels, 1e9 * median(cold) / rays,
+               p.stats[STAT_PARITY]);
     std::fflush(stdout);
 }
 

@@ -154,7 +154,7 @@ SceneSpeed measure_speed(const host::SceneOptions& scene, const SpeedSettings& s
 
     if (settings.error == ErrorFrom::none) return out;
     const std::vector<std::size_t> pixels = grid_pixels(settings.task.picture, settings.error_pixels);
-    const SpeedContender in_double{settings.reference_device, host::Precision::twofold, 0};
+    const SpeedContender in_double{settings.reference_device, host::Precision::twofold, 0, {}};
     const host::Picture truth =
         reference(source, settings, make_entrant(scene, settings, in_double, folder.path() / "reference"), pixels);
     for (std::size_t i = 0; i < count; ++i)

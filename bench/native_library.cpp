@@ -76,7 +76,8 @@ void compile(const NativeBuild& build, const std::string& defines, const fs::pat
 
 } // namespace
 
-NativeLibrary native_library(const NativeBuild& build, const scene::Needs& needs, host::Precision precision)
+NativeLibrary native_library(const NativeBuild& build, const scene::Needs& needs, host::Precision precision,
+                             host::KernelShape kernel)
 {
     const host::Stopwatch watch;
     const bool twofold = precision == host::Precision::twofold;
@@ -88,8 +89,9 @@ NativeLibrary native_library(const NativeBuild& build, const scene::Needs& needs
     void* const handle = ::dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!handle) throw host::Failure(fmt::format("the native build cannot be loaded: {}", ::dlerror()));
     out.handle = std::shared_ptr<void>(handle, [](void* h) { ::dlclose(h); });
-    out.render =
-        reinterpret_cast<decltype(out.render)>(::dlsym(handle, twofold ? "native_render_d" : "native_render_f"));
+    const std::string name = std::string("native_render") + (kernel == host::KernelShape::packets ? "_packets" : "") +
+                             (twofold ? "_d" : "_f");
+    out.render = reinterpret_cast<decltype(out.render)>(::dlsym(handle, name.c_str()));
     if (!out.render) throw host::Failure(fmt::format("the native build lacks its function: {}", ::dlerror()));
     out.seconds = watch.seconds();
     return out;

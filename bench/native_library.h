@@ -1,7 +1,7 @@
 /// The kernels' C core compiled by this machine's compiler for one scene's needs, and loaded.
 #pragma once
 
-#include "host/program.h"
+#include "host/renderer.h"
 #include "kernels/native_api.h"
 #include "scene/needs.h"
 
@@ -25,7 +25,8 @@ struct NativeLibrary {
 
 /// Compiles with the features and capacities of the needs and no others.
 /// @throws host::Failure if there is no compiler, or with what it says
-NativeLibrary native_library(const NativeBuild& build, const scene::Needs& needs, host::Precision precision);
+NativeLibrary native_library(const NativeBuild& build, const scene::Needs& needs, host::Precision precision,
+                             host::KernelShape kernel);
 
 /// Which compiler it is, and with which options: for people. @throws host::Failure
 std::string describe(const NativeBuild& build);

@@ -25,6 +25,7 @@ Racer opencl_racer(const SpeedTask& task, scene::Compiled compiled)
     host::RenderSettings settings;
     settings.samples = task.samples;
     settings.precision = task.contender.precision;
+    settings.kernel = task.contender.kernel;
     out.render = [renderer, settings, compiled = std::move(compiled)](host::Shape part) mutable {
         settings.picture = part;
         settings.tile = part; // one launch, and no time spent on choosing
@@ -35,7 +36,7 @@ Racer opencl_racer(const SpeedTask& task, scene::Compiled compiled)
     return out;
 }
 
-/// Each thread takes the next row that nobody has, and counts on its own.
+/// Each thread takes the next rows that nobody has, and counts on its own.
 void trace_natively(const NativeLibrary& library, const scene::Compiled& compiled, unsigned samples, unsigned threads,
                     host::Frame& frame)
 {
@@ -46,10 +47,12 @@ void trace_natively(const NativeLibrary& library, const scene::Compiled& compile
     const std::size_t row_floats = std::size_t{4} * width;
     std::vector<float> sums(row_floats * height);
     std::vector<host::Statistics> counted(threads);
-    share_work(height, threads, [&](std::size_t row, unsigned worker) {
+    const unsigned band = frame.kernel == host::KernelShape::packets ? 32 : 1; // rows, as high as a block of packets
+    share_work((height + band - 1) / band, threads, [&](std::size_t number, unsigned worker) {
         if (host::interrupted()) return;
         std::array<std::uint32_t, STAT_COUNT> counters{};
-        library.render(&scene, 0, static_cast<unsigned>(row), width, 1, 0, samples, sums.data() + row_floats * row,
+        const unsigned row = static_cast<unsigned>(number) * band;
+        library.render(&scene, 0, row, width, std::min(band, height - row), 0, samples, sums.data() + row_floats * row,
                        counters.data());
         host::add_rows(counted[worker], counters);
     });
@@ -77,10 +80,12 @@ Racer native_racer(const SpeedTask& task, scene::Compiled compiled)
     out.threads = threads;
     out.render = [state, threads, task](host::Shape part) {
         host::Frame frame;
+        frame.kernel = task.contender.kernel.value_or(host::KernelShape::packets);
         frame.picture = host::make_picture(part.width, part.height);
         for (;;) {
             if (!state->library.render) {
-                state->library = native_library(task.native, state->compiled.needs, task.contender.precision);
+                state->library =
+                    native_library(task.native, state->compiled.needs, task.contender.precision, frame.kernel);
                 frame.timings.build += state->library.seconds;
             }
             const host::Stopwatch watch;

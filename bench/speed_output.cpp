@@ -59,6 +59,12 @@ std::string error_words(ErrorFrom from)
     return from == ErrorFrom::oracle ? "the oracle's" : "that of the kernel in double";
 }
 
+std::string kernel_name(const SpeedContender& c)
+{
+    if (!c.kernel) return "auto";
+    return *c.kernel == host::KernelShape::packets ? "packets" : "pixels";
+}
+
 /// "-DCLU_PLANE -DCLU_STACK_CAPACITY=8" without what all have in common.
 std::string variant_of(const std::string& options)
 {
@@ -76,37 +82,38 @@ nlohmann::ordered_json report_json(const SceneSpeed& of, const SpeedReport& r, c
 {
     const host::Shape size = settings.task.picture;
     const std::string precision = precision_name(r.contender.precision);
-    nlohmann::ordered_json j = {
-        {"name",
-         fmt::format("speed/{}/{}/{}/threads:{}/{}x{}", of.name, place(r.contender), precision,
-                     r.contender.threads ? std::to_string(r.contender.threads) : "all", size.width, size.height)},
-        {"run_type", "iteration"},
-        {"repetitions", settings.rounds},
-        {"iterations", r.pictures},
-        {"real_time", 1e3 * median(r.real)},
-        {"cpu_time", 1e3 * median(r.cpu)},
-        {"time_unit", "ms"},
-        {"real_time_iqr", 1e3 * interquartile_range(r.real)},
-        {"cpu_time_iqr", 1e3 * interquartile_range(r.cpu)},
-        {"ratio", r.ratio},
-        {"ratio_iqr", r.ratio_spread},
-        {"cpu_ratio", r.cpu_ratio},
-        {"scene", of.name},
-        {"device", r.what},
-        {"precision", precision},
-        {"threads", r.threads},
-        {"variant", variant_of(r.options)},
-        {"pixels", host::area(size)},
-        {"samples", settings.task.samples},
-        {"rays", r.statistics.rays},
-        {"shadow_rays", r.statistics.shadow},
-        {"mrays_s", million_rays_a_second(r)},
-        {"ns_per_ray", nanoseconds_per_ray(r)},
-        {"compile_s", r.cold.build},
-        {"first_launch_s", r.cold.first_launch},
-        {"cached_compile_s", r.cached.build},
-        {"cached_first_launch_s", r.cached.first_launch},
-        {"peak_bytes", r.peak_bytes}};
+    nlohmann::ordered_json j = {{"name", fmt::format("speed/{}/{}/{}/{}/threads:{}/{}x{}", of.name, place(r.contender),
+                                                     kernel_name(r.contender), precision,
+                                                     r.contender.threads ? std::to_string(r.contender.threads) : "all",
+                                                     size.width, size.height)},
+                                {"run_type", "iteration"},
+                                {"repetitions", settings.rounds},
+                                {"iterations", r.pictures},
+                                {"real_time", 1e3 * median(r.real)},
+                                {"cpu_time", 1e3 * median(r.cpu)},
+                                {"time_unit", "ms"},
+                                {"real_time_iqr", 1e3 * interquartile_range(r.real)},
+                                {"cpu_time_iqr", 1e3 * interquartile_range(r.cpu)},
+                                {"ratio", r.ratio},
+                                {"ratio_iqr", r.ratio_spread},
+                                {"cpu_ratio", r.cpu_ratio},
+                                {"scene", of.name},
+                                {"device", r.what},
+                                {"kernel", kernel_name(r.contender)},
+                                {"precision", precision},
+                                {"threads", r.threads},
+                                {"variant", variant_of(r.options)},
+                                {"pixels", host::area(size)},
+                                {"samples", settings.task.samples},
+                                {"rays", r.statistics.rays},
+                                {"shadow_rays", r.statistics.shadow},
+                                {"mrays_s", million_rays_a_second(r)},
+                                {"ns_per_ray", nanoseconds_per_ray(r)},
+                                {"compile_s", r.cold.build},
+                                {"first_launch_s", r.cold.first_launch},
+                                {"cached_compile_s", r.cached.build},
+                                {"cached_first_launch_s", r.cached.first_launch},
+                                {"peak_bytes", r.peak_bytes}};
     if (r.error) {
         j["error_from"] = error_name(settings.error);
         j["error_pixels"] = of.compared_pixels;
@@ -143,9 +150,10 @@ Load machine_load()
 
 void print_speed_head(std::FILE* to)
 {
-    fmt::print(to, "| scene | device | precision | threads | ms | IQR | CPU ms | Mrays/s | ns/ray | RMSE | max error "
-                   "| ratio | CPU ratio | build, s | cached | first launch, s | cached | peak MiB |\n"
-                   "|---|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+    fmt::print(
+        to, "| scene | device | kernel | precision | threads | ms | IQR | CPU ms | Mrays/s | ns/ray | RMSE | max error "
+            "| ratio | CPU ratio | build, s | cached | first launch, s | cached | peak MiB |\n"
+            "|---|---|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
 }
 
 void print_speed(std::FILE* to, const SceneSpeed& speed)
@@ -153,14 +161,14 @@ void print_speed(std::FILE* to, const SceneSpeed& speed)
     for (const SpeedReport& r : speed.reports) {
         const std::string rmse = r.error ? fmt::format("{:.1e}", r.error->rmse) : "-";
         const std::string most = r.error ? fmt::format("{:.1e}", r.error->max_error) : "-";
-        fmt::print(to,
-                   "| {} | {} | {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.3f} | {:.1f} | {} | {} | {:.3f} | {:.3f} | "
-                   "{:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.0f} |\n",
-                   speed.name, place(r.contender), precision_name(r.contender.precision), thread_count(r),
-                   1e3 * median(r.real), 1e3 * interquartile_range(r.real), 1e3 * median(r.cpu),
-                   million_rays_a_second(r), nanoseconds_per_ray(r), rmse, most, r.ratio, r.cpu_ratio, r.cold.build,
-                   r.cached.build, r.cold.first_launch, r.cached.first_launch,
-                   static_cast<double>(r.peak_bytes) * 0x1p-20);
+        fmt::print(
+            to,
+            "| {} | {} | {} | {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.3f} | {:.1f} | {} | {} | {:.3f} | {:.3f} | "
+            "{:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.0f} |\n",
+            speed.name, place(r.contender), kernel_name(r.contender), precision_name(r.contender.precision),
+            thread_count(r), 1e3 * median(r.real), 1e3 * interquartile_range(r.real), 1e3 * median(r.cpu),
+            million_rays_a_second(r), nanoseconds_per_ray(r), rmse, most, r.ratio, r.cpu_ratio, r.cold.build,
+            r.cached.build, r.cold.first_launch, r.cached.first_launch, static_cast<double>(r.peak_bytes) * 0x1p-20);
     }
 }
 

@@ -26,6 +26,7 @@ nlohmann::ordered_json to_json(const SpeedTask& task)
                                 {"folder", task.native.folder.string()},
                                 {"interior", task.least_interior},
                                 {"stack", task.least_stack}};
+    if (task.contender.kernel) j["packets"] = *task.contender.kernel == host::KernelShape::packets;
     if (task.max_hops) j["max_hops"] = *task.max_hops;
     if (task.cutoff) j["cutoff"] = *task.cutoff;
     return j;
@@ -42,7 +43,10 @@ SpeedTask task_of(const nlohmann::json& j)
     if (j.contains("cutoff")) out.cutoff = j.at("cutoff").get<double>();
     out.contender = {j.value("device", out.contender.device),
                      j.value("double", false) ? host::Precision::twofold : host::Precision::single,
-                     j.value("threads", out.contender.threads)};
+                     j.value("threads", out.contender.threads),
+                     {}};
+    if (j.contains("packets"))
+        out.contender.kernel = j.at("packets").get<bool>() ? host::KernelShape::packets : host::KernelShape::pixels;
     out.native = {j.value("compiler", out.native.compiler), j.value("march", out.native.march),
                   j.value("folder", std::string())};
     out.least_interior = j.value("interior", 0U);

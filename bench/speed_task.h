@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bench/native_library.h"
+#include "host/renderer.h"
 #include "host/scene_source.h"
 #include "host/tiling.h"
 
@@ -15,7 +16,8 @@ namespace clucida::bench {
 struct SpeedContender {
     std::string device; ///< P:D; empty: the native build
     host::Precision precision = host::Precision::single;
-    unsigned threads = 0; ///< 0: as many as there are
+    unsigned threads = 0;                    ///< 0: as many as there are
+    std::optional<host::KernelShape> kernel; ///< else the one that is made for the device
 };
 
 inline bool is_native(const SpeedContender& c)

@@ -142,7 +142,7 @@ class Speed(unittest.TestCase):
         self.assertEqual(set(report), {"context", "benchmarks"})
         self.assertEqual(report["context"]["rounds"], 2)
         (b,) = report["benchmarks"]
-        self.assertRegex(b["name"], r"^speed/glass\.clu/\d+:\d+/float/threads:all/48x27$")
+        self.assertRegex(b["name"], r"^speed/glass\.clu/\d+:\d+/auto/float/threads:all/48x27$")
         self.assertEqual(b["time_unit"], "ms")
         self.assertEqual(b["ratio"], 1)
         self.assertEqual(len(b["real_times"]), 2)

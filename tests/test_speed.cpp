@@ -49,7 +49,7 @@ TEST(SpeedTask, comes_back_from_json_as_it_was)
     task.picture = {12, 34};
     task.samples = 5;
     task.cutoff = 0.125;
-    task.contender = {"1:2", host::Precision::twofold, 3};
+    task.contender = {"1:2", host::Precision::twofold, 3, host::KernelShape::packets};
     task.native = {"cc", "haswell", "/tmp/folder"};
     task.least_stack = 64;
     const nlohmann::ordered_json j = to_json(task);
@@ -64,18 +64,22 @@ TEST(NativeLibrary, compiles_with_every_feature_alone)
     const NativeBuild build{"", "native", folder.path()};
     for (const scene::FeatureName& feature : scene::feature_names()) {
         const scene::Needs needs{feature.feature, 1, 0, 1};
-        EXPECT_NE(native_library(build, needs, host::Precision::single).render, nullptr) << feature.name;
+        for (const host::KernelShape kernel : {host::KernelShape::pixels, host::KernelShape::packets})
+            EXPECT_NE(native_library(build, needs, host::Precision::single, kernel).render, nullptr) << feature.name;
     }
-    EXPECT_NE(native_library(build, {0, 4, 8, 2}, host::Precision::twofold).render, nullptr);
+    EXPECT_NE(native_library(build, {0, 4, 8, 2}, host::Precision::twofold, host::KernelShape::pixels).render, nullptr);
 }
 
 TEST(NativeLibrary, is_compiled_once_for_the_same_needs)
 {
     const TemporaryFolder folder;
     const scene::Needs needs{scene::feature_sphere, 1, 0, 1};
-    native_library({"", "native", folder.path()}, needs, host::Precision::single);
-    EXPECT_NE(native_library({"false", "native", folder.path()}, needs, host::Precision::single).render, nullptr);
-    EXPECT_THROW(native_library({"false", "native", folder.path()}, needs, host::Precision::twofold), host::Failure);
+    const auto pixels = host::KernelShape::pixels;
+    native_library({"", "native", folder.path()}, needs, host::Precision::single, pixels);
+    EXPECT_NE(native_library({"false", "native", folder.path()}, needs, host::Precision::single, pixels).render,
+              nullptr);
+    EXPECT_THROW(native_library({"false", "native", folder.path()}, needs, host::Precision::twofold, pixels),
+                 host::Failure);
 }
 
 } // namespace
