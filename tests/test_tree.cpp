@@ -89,7 +89,8 @@ std::vector<FloatBox> random_boxes(std::size_t count, unsigned seed)
 
 TEST(Tree, HoldsEveryBoxOnce)
 {
-    for (const std::size_t count : {0U, 1U, 7U, 8U, 9U, 40U, LIST_CAPACITY, LIST_CAPACITY + 1U, 100U, 1000U, 30000U, 200000U})
+    for (const std::size_t count :
+         {0U, 1U, 7U, 8U, 9U, 40U, LIST_CAPACITY, LIST_CAPACITY + 1U, 100U, 1000U, 30000U, 200000U})
         expect_sound(random_boxes(count, static_cast<unsigned>(count)));
 }
 
