@@ -109,6 +109,19 @@ void NATIVE(native_render_packets)(const NativeScene* scene, u32 x0, u32 y0, u32
 }
 
 #ifndef CLU_ONLY_RENDER
+static void tell_surface(const Surface* s, NativeSurface* surface)
+{
+    surface->t = s->t;
+    to_doubles(s->p, surface->p);
+    to_doubles(s->n, surface->n);
+    surface->object = s->object;
+    surface->before = s->before;
+    surface->after = s->after;
+    surface->err = s->err;
+    surface->left = s->left;
+    surface->beyond_inside = s->beyond_inside;
+}
+
 int NATIVE(native_surface)(const NativeScene* scene, const NativeRay* ray, const u32* inside, u32 count,
                            NativeSurface* surface, u32* stats)
 {
@@ -119,17 +132,44 @@ int NATIVE(native_surface)(const NativeScene* scene, const NativeRay* ray, const
     Surface s;
     const int found = next_surface(&world, &r, medium, &s);
     add_stats(&world, stats);
-    if (!found) return 0;
-    surface->t = s.t;
-    to_doubles(s.p, surface->p);
-    to_doubles(s.n, surface->n);
-    surface->object = s.object;
-    surface->before = s.before;
-    surface->after = s.after;
-    surface->err = s.err;
-    surface->left = s.left;
-    surface->beyond_inside = s.beyond_inside;
-    return 1;
+    if (found) tell_surface(&s, surface);
+    return found;
+}
+
+int NATIVE(native_surface_full)(const NativeScene* scene, const NativeRay* ray, u32 medium, NativeSurface* surface,
+                                u32* stats)
+{
+    World world = make_world(scene);
+    const Ray r = make_ray(ray);
+    Surface s;
+    const int found = full_surface(&world, &r, medium, &s);
+    add_stats(&world, stats);
+    if (found) tell_surface(&s, surface);
+    return found;
+}
+
+void NATIVE(native_surfaces)(const NativeScene* scene, const NativeRay rays[8], const u32 media[8],
+                             NativeSurface surfaces[8], int found[8])
+{
+    World world = make_world(scene);
+    Packet packet;
+    memset(&packet, 0, sizeof packet);
+    for (u32 i = 0; i < LANES; i++) {
+        packet.ids[ID_MEDIUM][i] = media[i] == NO_RAY ? MEDIUM_NO_RAY : signed_medium(media[i]);
+        if (media[i] == NO_RAY) continue;
+        const Ray r = make_ray(&rays[i]);
+        const real rows[] = {r.o.x, r.o.y, r.o.z, r.d.x, r.d.y, r.d.z, r.excess, r.err};
+        for (u32 k = 0; k < 8; k++) packet.rows[ROW_O + k][i] = rows[k];
+        packet.ids[ID_LEFT][i] = (int)r.left;
+        packet.ids[ID_LEFT_INSIDE][i] = r.left_inside ? -1 : 0;
+    }
+    const LaneHits hits = search_packet(&world, &packet);
+    for (u32 i = 0; i < LANES; i++) {
+        Surface s;
+        const Ray r = lane_ray(&packet, i);
+        found[i] = media[i] == NO_RAY ? 0 : sure_surface(&world, &r, media[i], &hits, i, &s);
+        if (found[i] > 0) tell_surface(&s, &surfaces[i]);
+    }
 }
 
 void NATIVE(native_trace)(const NativeScene* scene, const NativeRay* ray, double rgb_out[3], u32* stats)

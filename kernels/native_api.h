@@ -53,6 +53,19 @@ int native_surface_f(const NativeScene* scene, const NativeRay* ray, const u32* 
 int native_surface_d(const NativeScene* scene, const NativeRay* ray, const u32* inside, u32 count,
                      NativeSurface* surface, u32* stats);
 
+/* Likewise by the full search alone, of a ray that starts in the given medium (0xffffffff: vacuum). */
+int native_surface_full_f(const NativeScene* scene, const NativeRay* ray, u32 medium, NativeSurface* surface,
+                          u32* stats);
+int native_surface_full_d(const NativeScene* scene, const NativeRay* ray, u32 medium, NativeSurface* surface,
+                          u32* stats);
+/* Likewise of eight rays by the search for packets: found is 1, 0 where there is none, -1 where that is not sure. A
+ * lane of medium NO_RAY has no ray: found is 0. */
+#define NO_RAY 0xfffffffeu
+void native_surfaces_f(const NativeScene* scene, const NativeRay rays[8], const u32 media[8], NativeSurface surfaces[8],
+                       int found[8]);
+void native_surfaces_d(const NativeScene* scene, const NativeRay rays[8], const u32 media[8], NativeSurface surfaces[8],
+                       int found[8]);
+
 /* What arrives along a ray from outside every object. */
 void native_trace_f(const NativeScene* scene, const NativeRay* ray, double rgb_out[3], u32* stats);
 void native_trace_d(const NativeScene* scene, const NativeRay* ray, double rgb_out[3], u32* stats);

@@ -15,6 +15,9 @@ struct Core;
 template <>
 struct Core<float> {
     static constexpr auto surface = native_surface_f;
+    static constexpr auto surfaces = native_surfaces_f;
+    static constexpr auto surface_full = native_surface_full_f;
+    static constexpr auto render_packets = native_render_packets_f;
     static constexpr auto trace = native_trace_f;
     static constexpr auto render = native_render_f;
     static constexpr auto refract = native_refract_f;
@@ -25,6 +28,9 @@ struct Core<float> {
 template <>
 struct Core<double> {
     static constexpr auto surface = native_surface_d;
+    static constexpr auto surfaces = native_surfaces_d;
+    static constexpr auto surface_full = native_surface_full_d;
+    static constexpr auto render_packets = native_render_packets_d;
     static constexpr auto trace = native_trace_d;
     static constexpr auto render = native_render_d;
     static constexpr auto refract = native_refract_d;
@@ -32,6 +38,19 @@ struct Core<double> {
     static constexpr auto diffuse = native_diffuse_d;
     static constexpr auto unpack_filter = native_unpack_filter_d;
 };
+
+Hit hit_of(const NativeSurface& s)
+{
+    return Hit{s.t,
+               {s.p[0], s.p[1], s.p[2]},
+               {s.n[0], s.n[1], s.n[2]},
+               s.object,
+               s.before,
+               s.after,
+               s.left,
+               s.beyond_inside != 0,
+               s.err};
+}
 
 } // namespace
 
@@ -51,15 +70,7 @@ Hits NativeCore<Real>::surfaces(const Native& scene, std::span<const Query> quer
                                 stats.data()) == 0)
             hits.push_back(std::nullopt);
         else
-            hits.push_back(Hit{s.t,
-                               {s.p[0], s.p[1], s.p[2]},
-                               {s.n[0], s.n[1], s.n[2]},
-                               s.object,
-                               s.before,
-                               s.after,
-                               s.left,
-                               s.beyond_inside != 0,
-                               s.err});
+            hits.push_back(hit_of(s));
     }
     return hits;
 }
@@ -110,6 +121,40 @@ Rgb NativeCore<Real>::unpack_filter(u32 packed)
     return {out[0], out[1], out[2]};
 }
 
+template <typename Real>
+Hits PacketCore<Real>::surfaces(const Native& scene, std::span<const Query> queries, Stats& stats)
+{
+    constexpr std::size_t lanes = 8;
+    Hits hits;
+    for (std::size_t begin = 0; begin < queries.size(); begin += lanes) {
+        const auto some = queries.subspan(begin, std::min(lanes, queries.size() - begin));
+        std::array<NativeRay, lanes> rays{};
+        std::array<u32, lanes> media{};
+        std::array<NativeSurface, lanes> surfaces{};
+        std::array<int, lanes> found{};
+        media.fill(NO_RAY);
+        for (std::size_t i = 0; i < some.size(); i++) {
+            rays[i] = ray_of(some[i].path);
+            media[i] = some[i].inside.empty() ? vacuum : some[i].inside.front();
+        }
+        Core<Real>::surfaces(&scene.buffers, rays.data(), media.data(), surfaces.data(), found.data());
+        for (std::size_t i = 0; i < some.size(); i++) {
+            if (found[i] < 0)
+                found[i] = Core<Real>::surface_full(&scene.buffers, &rays[i], media[i], &surfaces[i], stats.data());
+            hits.push_back(found[i] ? std::optional(hit_of(surfaces[i])) : std::nullopt);
+        }
+    }
+    return hits;
+}
+
+template <typename Real>
+void PacketCore<Real>::render(const Native& scene, const scene::View& view, float* rgba, Stats& stats)
+{
+    Core<Real>::render_packets(&scene.buffers, 0, 0, view.width, view.height, 0, view.samples, rgba, stats.data());
+}
+
+template struct PacketCore<float>;
+template struct PacketCore<double>;
 template struct NativeCore<float>;
 template struct NativeCore<double>;
 

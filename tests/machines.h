@@ -83,6 +83,17 @@ struct NativeCore {
     static Rgb unpack_filter(u32 packed);
     /// A test whose rays go one by one sends one in so many.
     static constexpr int share = 1;
+    /// Roundings that a pixel may differ by with what the rest of the picture shows: light is added up in another
+    /// order.
+    static constexpr double sum_roundings = 0;
+};
+
+/// The same with surfaces and pictures by packets of eight rays.
+template <typename Real>
+struct PacketCore : NativeCore<Real> {
+    static Hits surfaces(const Native& scene, std::span<const Query> queries, Stats& stats);
+    static void render(const Native& scene, const scene::View& view, float* rgba, Stats& stats);
+    static constexpr double sum_roundings = 16;
 };
 
 /// The same through OpenCL: one launch a call. They throw where there is no device, or it cannot do double.
@@ -95,6 +106,7 @@ struct DeviceCore {
     static Bend bend(Vec3 d, Vec3 n, double w);
     static double diffuse(u32 law, double cosine, double distance);
     static Rgb unpack_filter(u32 packed);
+    static constexpr double sum_roundings = 0;
     static constexpr int share = 8; ///< a launch costs some tens of microseconds
 };
 
@@ -108,6 +120,16 @@ struct Double : NativeCore<double> {
     using Wide = Quad;
     static constexpr double u = 0x1p-53;
     static constexpr const char* name = "Double";
+};
+struct FloatInPackets : PacketCore<float> {
+    using Wide = long double;
+    static constexpr double u = Float::u;
+    static constexpr const char* name = "FloatInPackets";
+};
+struct DoubleInPackets : PacketCore<double> {
+    using Wide = Quad;
+    static constexpr double u = Double::u;
+    static constexpr const char* name = "DoubleInPackets";
 };
 struct FloatOnDevice : DeviceCore<float> {
     using Wide = long double;

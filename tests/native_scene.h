@@ -29,7 +29,7 @@ struct MachineNames {
         return P::name;
     }
 };
-using Machines = ::testing::Types<Float, Double, FloatOnDevice, DoubleOnDevice>;
+using Machines = ::testing::Types<Float, Double, FloatInPackets, DoubleInPackets, FloatOnDevice, DoubleOnDevice>;
 
 /// Nothing that a sound trace never does: parity faults, NaNs, overflows, rays given up.
 void expect_sound(const Stats& stats);

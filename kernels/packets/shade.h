@@ -30,6 +30,32 @@ typedef struct {
 #endif
 } Shading;
 
+/* The rays' segment as the search takes it. */
+INLINED PacketLine packet_rays(const Packet* packet)
+{
+    PacketLine l;
+    l.o = packet_vec(packet, ROW_O);
+    l.d = packet_vec(packet, ROW_D);
+    l.err = load_lanes(packet->rows[ROW_ERR]);
+    l.left = load_ids(packet->ids[ID_LEFT]);
+    l.left_inside = load_ids(packet->ids[ID_LEFT_INSIDE]);
+    return l;
+}
+
+INLINED LaneHits search_packet(World* world, const Packet* packet)
+{
+    PacketLine l = packet_rays(packet);
+    const PacketHit hit = packet_search(world, load_ids(packet->ids[ID_MEDIUM]), &l);
+    LaneHits hits;
+    store_wide(hit.t, hits.t);
+    store_wide(hit.tolerance, hits.tolerance);
+    store_ids(hit.object, hits.object);
+    store_ids(hit.face, hits.face);
+    store_ids(hit.after, hits.after);
+    hits.sure = wide_bits(hit.sure);
+    return hits;
+}
+
 /* The full searches are calls: they would crowd the packets' code out of registers and make compilation long. They get
  * copies of the world, so that the packets' own need not lie in memory. */
 INLINED int surface_in_full(World* world, const Ray* ray, u32 medium, Surface* surface)
@@ -45,8 +71,8 @@ INLINED int surface_in_full(World* world, const Ray* ray, u32 medium, Surface* s
     return met;
 }
 
-/* What a lane's ray meets: 0 if nothing. */
-INLINED int lane_surface(World* world, const Ray* ray, u32 medium, const LaneHits* hits, u32 lane, Surface* s)
+/* What a lane's ray meets: 0 if nothing, -1 if the search was not sure of it. */
+INLINED int sure_surface(const World* world, const Ray* ray, u32 medium, const LaneHits* hits, u32 lane, Surface* s)
 {
     QuickCrossing quick;
     Crossing crossing;
@@ -54,13 +80,19 @@ INLINED int lane_surface(World* world, const Ray* ray, u32 medium, const LaneHit
     quick.tolerance = hits->tolerance[lane];
     quick.object = (u32)hits->object[lane];
     quick.face = (u32)hits->face[lane];
-    const int sure = (int)(hits->sure >> lane & 1u);
-    quick.sure = sure;
-    if (sure && quick.t == INFINITE) return 0;
-    if (!QUICK || !sure || !confirm(world, ray, &quick, &crossing)) return surface_in_full(world, ray, medium, s);
+    quick.sure = QUICK && (hits->sure >> lane & 1u);
+    if (!quick.sure) return -1;
+    if (quick.t == INFINITE) return 0;
+    if (!confirm(world, ray, &quick, &crossing)) return -1;
     const real left = crossing.t <= CLEAR * ray->err ? ray->err : R(0);
     *s = make_surface(world, ray, quick.object, crossing, left, medium, unsigned_medium(hits->after[lane]));
     return 1;
+}
+
+INLINED int lane_surface(World* world, const Ray* ray, u32 medium, const LaneHits* hits, u32 lane, Surface* s)
+{
+    const int found = sure_surface(world, ray, medium, hits, lane, s);
+    return found < 0 ? surface_in_full(world, ray, medium, s) : found;
 }
 
 INLINED void put_lane(real rows[3][LANES], u32 lane, real x, real y, real z)

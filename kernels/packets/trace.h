@@ -21,18 +21,6 @@ typedef struct {
     u32 x, y, width, height;
 } PixelBlock;
 
-/* The rays' segment as the search takes it. */
-INLINED PacketLine packet_rays(const Packet* packet)
-{
-    PacketLine l;
-    l.o = packet_vec(packet, ROW_O);
-    l.d = packet_vec(packet, ROW_D);
-    l.err = load_lanes(packet->rows[ROW_ERR]);
-    l.left = load_ids(packet->ids[ID_LEFT]);
-    l.left_inside = load_ids(packet->ids[ID_LEFT_INSIDE]);
-    return l;
-}
-
 /* The media that the rays of `some` start in. */
 INLINED void find_starts(World* world, wide_mask some, Packet* packet)
 {
@@ -100,15 +88,7 @@ INLINED void trace_packet(World* world, PacketStacks* stacks, const Packet* pack
     const wide_mask some = medium != all_ids(MEDIUM_NO_RAY);
     if (!any_lane(some)) return;
     count_lanes(world, STAT_QUERIES, some);
-    PacketLine l = packet_rays(packet);
-    const PacketHit hit = packet_search(world, medium, &l);
-    LaneHits hits;
-    store_wide(hit.t, hits.t);
-    store_wide(hit.tolerance, hits.tolerance);
-    store_ids(hit.object, hits.object);
-    store_ids(hit.face, hits.face);
-    store_ids(hit.after, hits.after);
-    hits.sure = wide_bits(hit.sure);
+    const LaneHits hits = search_packet(world, packet);
     shade_packet(world, stacks, packet, &hits, light);
 }
 
