@@ -106,8 +106,8 @@ nlohmann::ordered_json frame_json(const Frame& frame, const Stages& stages)
               {"first_launch", t.first_enqueue},
               {"upload", t.upload},
               {"trace", t.trace},
-              {"trace_processor", t.trace_cpu},
               {"write", t.rows + stages.write}}},
+            {"trace_processor_seconds", t.trace_cpu},
             {"rays_per_second", rays_per_second(frame)},
             {"statistics", std::move(statistics)}};
 }

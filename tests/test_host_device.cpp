@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
@@ -140,10 +141,11 @@ TEST(Rendering, rows_begin_anew_when_a_capacity_was_too_small)
     const Shape size{64, 48};
     scene::Compiled scene = compiled(size, 1);
     Renderer renderer = make_renderer(find_device(device_selector("")));
-    const Frame right = render_frame(renderer, scene, settings(size, 1));
-    scene.needs.stack = 1;
     RenderSettings s = settings(size, 1);
+    s.kernel = KernelShape::pixels;
     s.tile = Shape{16, 16};
+    const Frame right = render_frame(renderer, scene, s);
+    scene.needs.stack = 1;
     Bands bands;
     const Frame frame = render_frame(renderer, scene, s, {.rows = bands.taker(size.width)});
     EXPECT_GT(frame.retries, 0U);
@@ -164,13 +166,57 @@ TEST(Rendering, a_capacity_that_is_too_small_is_enlarged)
     const Shape size{64, 48};
     scene::Compiled scene = compiled(size, 1);
     Renderer renderer = make_renderer(find_device(device_selector("")));
-    const Frame right = render_frame(renderer, scene, settings(size, 1));
-    scene.needs.stack = 1;
-    scene.needs.interior = 1;
-    const Frame frame = render_frame(renderer, scene, settings(size, 1));
-    EXPECT_GT(frame.retries, 0U);
-    EXPECT_EQ(frame.statistics.stack_overflow + frame.statistics.interior_overflow, 0U);
-    EXPECT_EQ(frame.picture.rgb, right.picture.rgb);
+    RenderSettings s = settings(size, 1);
+    for (const KernelShape kernel : {KernelShape::pixels, KernelShape::packets}) {
+        s.kernel = kernel;
+        const Frame right = render_frame(renderer, scene, s);
+        scene::Compiled lacking = compiled(size, 1);
+        lacking.needs.stack = kernel == KernelShape::pixels ? 1 : 0; // a block's stacks have room for some rays more
+        lacking.needs.interior = 1;
+        const Frame frame = render_frame(renderer, lacking, s);
+        EXPECT_GT(frame.retries, 0U);
+        EXPECT_EQ(frame.statistics.stack_overflow + frame.statistics.interior_overflow, 0U);
+        EXPECT_EQ(frame.picture.rgb, right.picture.rgb);
+    }
+}
+
+TEST(Rendering, packets_draw_the_same_whatever_the_tiles_and_as_pixels_do)
+{
+    const Shape size{150, 100};
+    const scene::Compiled scene = compiled(size, 20);
+    Renderer renderer = make_renderer(find_device(device_selector("")));
+    RenderSettings s = settings(size, 20);
+    s.kernel = KernelShape::packets;
+    const Frame whole = render_frame(renderer, scene, s);
+    for (const Shape tile : {Shape{1, 1}, Shape{64, 32}, Shape{96, 200}}) {
+        s.tile = tile;
+        const Frame frame = render_frame(renderer, scene, s);
+        EXPECT_EQ(frame.kernel, KernelShape::packets);
+        EXPECT_EQ(frame.picture.rgb, whole.picture.rgb) << tile.width << "x" << tile.height;
+    }
+    s.kernel = KernelShape::pixels;
+    const Frame pixels = render_frame(renderer, scene, s);
+    EXPECT_EQ(pixels.kernel, KernelShape::pixels);
+    EXPECT_EQ(pixels.statistics.rays, whole.statistics.rays);
+    EXPECT_EQ(pixels.statistics.shadow, whole.statistics.shadow);
+    double most = 0;
+    for (std::size_t i = 0; i < whole.picture.rgb.size(); ++i)
+        most = std::max(most, std::fabs(static_cast<double>(whole.picture.rgb[i]) - pixels.picture.rgb[i]));
+    EXPECT_LT(most, 1e-5);
+}
+
+TEST(Rendering, the_kernel_is_the_one_made_for_the_device_and_the_scene)
+{
+    DeviceInfo device;
+    device.kind = DeviceKind::cpu;
+    device.float_lanes = 8;
+    EXPECT_EQ(kernel_shape(device, 100), KernelShape::packets);
+    EXPECT_EQ(kernel_shape(device, 1000000), KernelShape::pixels);
+    device.float_lanes = 4;
+    EXPECT_EQ(kernel_shape(device, 100), KernelShape::pixels);
+    device.float_lanes = 16;
+    device.kind = DeviceKind::gpu;
+    EXPECT_EQ(kernel_shape(device, 100), KernelShape::pixels);
 }
 
 TEST(Rendering, progress_is_told_and_reaches_the_end)
@@ -178,10 +224,10 @@ TEST(Rendering, progress_is_told_and_reaches_the_end)
     const Shape size{64, 64};
     Renderer renderer = make_renderer(find_device(device_selector("")));
     RenderSettings s = settings(size, 1);
-    s.tile = Shape{16, 16};
+    s.tile = Shape{32, 32};
     std::vector<double> told;
     render_frame(renderer, compiled(size, 1), s, {[&](double f) { told.push_back(f); }, {}});
-    EXPECT_EQ(told.size(), 16U);
+    EXPECT_EQ(told.size(), 4U);
     EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
     EXPECT_EQ(told.back(), 1);
 }

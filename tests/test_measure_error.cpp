@@ -90,6 +90,7 @@ protected:
         view.height = 27;
         compiled = scene::compile(source.scene, view);
         settings.picture = {48, 27};
+        settings.kernel = host::KernelShape::pixels; // the paths are those of single rays
         frame = host::render_frame(renderer, compiled, settings);
         for (unsigned y = 0; y < 27; y++)
             for (unsigned x = 0; x < 48; x++) pixels.push_back({x, y});

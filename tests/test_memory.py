@@ -26,13 +26,13 @@ class Memory(unittest.TestCase):
         done = run(PROGRAM, "--objects", "1,2000", "--pictures", "32,48")
         self.assertEqual(done.returncode, 0, done.stderr)
         kinds, fields, pictures = tables(done.stdout)
-        self.assertIn(["sphere", "96"], kinds)
+        self.assertIn(["sphere", "108"], kinds)
         self.assertTrue(all(int(each) > 0 for _, each in kinds))
         self.assertEqual([row[0] for row in fields], ["1", "2000"])
         self.assertEqual([row[0] for row in pictures], ["32x32", "48x48"])
         for row in fields:
             self.assertGreater(float(row[4]), float(row[5]), "a process is more than so few spheres")
-        self.assertGreater(float(fields[1][5]), 2000 * 96 / 2**20)
+        self.assertGreater(float(fields[1][5]), 2000 * 108 / 2**20)
         self.assertRegex(done.stdout, r"While kernels are compiled, of the first scene: [1-9]\d* MiB")
 
     def test_a_program_that_fails_is_an_error(self):

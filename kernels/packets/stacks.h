@@ -31,7 +31,7 @@ enum PacketId {
  * objects. No scene was ever seen to need more than 42 places; one that does is rendered again with more, as when the
  * one-ray kernel's stack is full. */
 #define STACKS 4u
-#define PACKET_STACK (64u + 4u * CLU_STACK_CAPACITY)
+#define PACKET_STACK (32u + 4u * CLU_STACK_CAPACITY)
 
 typedef struct {
     u32 count[STACKS];
