@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Renders the tiny scenes of tests/data/oclgrind in Oclgrind, which simulates an OpenCL device and watches every access,
-in float and in double; and has their error measured in it, by kernels that tell paths and single intersections.
+by both kernels, in float and in double; and has their error measured in it, by kernels that tell paths and single intersections.
 
 usage: test_oclgrind.py PROGRAM BENCH SCENES NEEDS [SIZE of the pictures]
 
@@ -93,11 +93,17 @@ def main() -> int:
     size = sys.argv[5] if len(sys.argv) > 5 else "16x9"
     texts = sorted(p for p in folder.iterdir() if p.suffix in (".clu", ".gun", ".rayt"))
     scenes = [(p, [] if p.suffix == ".clu" else ["--as-original"]) for p in texts]
+    packets, pixels = ["--kernel", "packets"], ["--kernel", "pixels"]
+    looks = (
+        ("paths", of_paths, bench, PATHS, []),
+        ("picture", of_picture, program, size, pixels),
+        ("picture by packets", of_picture, program, size, packets),
+    )
     cases = [
-        (what, scene, precision, (look, of, scene, [*options, "--precision", precision], sized))
-        for what, look, of, sized in (("paths", of_paths, bench, PATHS), ("picture", of_picture, program, size))
+        (what, scene, precision, (look, of, scene, [*options, *kernel, "--precision", precision], sized))
+        for what, look, of, sized, kernel in looks
         for scene, options in scenes
-        if what == "picture" or not options  # paths are not told by the original's rules
+        if what != "paths" or not options  # paths are not told by the original's rules
         for precision in ("float", "double")
     ]
     failed = 0

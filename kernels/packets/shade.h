@@ -393,7 +393,7 @@ INLINED void shade_light(World* world, wide_mask lightable, const Shading* h, u3
 INLINED void shade_packet(World* world, PacketStacks* stacks, const Packet* packet, const LaneHits* hits,
                           TileLight* light)
 {
-    Shading h;
+    Shading h = {.cosine = {R(0)}}; /* all of it 0, for lanes that meet nothing are computed with too */
     int lanes[LANES];
     for (u32 i = 0; i < LANES; i++)
         lanes[i] = has_ray(packet, i) && shade_lane(world, &h, i, packet, hits, light) ? -1 : 0;

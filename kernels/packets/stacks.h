@@ -104,13 +104,17 @@ INLINED u32 fullest_stack(const PacketStacks* stacks)
     return fullest;
 }
 
-/* The stack's topmost rays. */
+/* The stack's topmost rays. Where there are too few, lanes without a ray have the numbers of one that has. */
 INLINED void pop_packet(PacketStacks* stacks, u32 stack, Packet* packet)
 {
     const u32 count = stacks->count[stack] < LANES ? stacks->count[stack] : LANES, at = stacks->count[stack] -= count;
+    for (u32 i = count; i < LANES; i++) {
+        for (u32 row = 0; row < ROW_COUNT; row++) stacks->rows[stack][row][at + i] = stacks->rows[stack][row][at];
+        for (u32 id = 0; id < ID_COUNT; id++) stacks->ids[stack][id][at + i] = stacks->ids[stack][id][at];
+        stacks->ids[stack][ID_MEDIUM][at + i] = MEDIUM_NO_RAY;
+    }
     for (u32 row = 0; row < ROW_COUNT; row++) store_wide(load_lanes(&stacks->rows[stack][row][at]), packet->rows[row]);
     for (u32 id = 0; id < ID_COUNT; id++) store_ids(load_ids(&stacks->ids[stack][id][at]), packet->ids[id]);
-    for (u32 i = count; i < LANES; i++) packet->ids[ID_MEDIUM][i] = MEDIUM_NO_RAY;
 }
 
 /* Pushes the packet's rays of the given lanes, each onto its medium's stack. */
@@ -120,7 +124,7 @@ INLINED void push_packet(World* world, PacketStacks* stacks, const Packet* packe
         const u32 i = first_lane(lanes);
         const u32 stack = (packet->ids[ID_MEDIUM][i] == MEDIUM_VACUUM ? 0u : 2u) + refracted;
         const u32 k = stacks->count[stack];
-        if (k + LANES > PACKET_STACK) { /* what lies beyond may be read, though it means nothing */
+        if (k + LANES > PACKET_STACK) { /* pop_packet may fill up what lies beyond */
             COUNT(world, STAT_STACK_OVERFLOW);
             continue;
         }
