@@ -148,6 +148,16 @@ int NATIVE(native_surface_full)(const NativeScene* scene, const NativeRay* ray, 
     return found;
 }
 
+static void tell_lane(const PacketSurfaces* surfaces, u32 lane, NativeSurface* surface)
+{
+    Surface s = lane_surface(surfaces, lane);
+    const u32 face = (u32)surfaces->face[lane];
+    s.err = surfaces->err[lane];
+    s.left = face & ~MEMBER_INVERSE;
+    s.beyond_inside = s.entering != ((face & MEMBER_INVERSE) != 0u);
+    tell_surface(&s, surface);
+}
+
 void NATIVE(native_surfaces)(const NativeScene* scene, const NativeRay rays[8], const u32 media[8],
                              NativeSurface surfaces[8], int found[8])
 {
@@ -163,12 +173,11 @@ void NATIVE(native_surfaces)(const NativeScene* scene, const NativeRay rays[8], 
         packet.ids[ID_LEFT][i] = (int)r.left;
         packet.ids[ID_LEFT_INSIDE][i] = r.left_inside ? -1 : 0;
     }
-    const LaneHits hits = search_packet(&world, &packet);
+    PacketSurfaces s;
+    const u32 unsure = sure_surfaces(&world, &packet, &s);
     for (u32 i = 0; i < LANES; i++) {
-        Surface s;
-        const Ray r = lane_ray(&packet, i);
-        found[i] = media[i] == NO_RAY ? 0 : sure_surface(&world, &r, media[i], &hits, i, &s);
-        if (found[i] > 0) tell_surface(&s, &surfaces[i]);
+        found[i] = unsure >> i & 1u ? -1 : (int)(s.met >> i & 1u);
+        if (found[i] > 0) tell_lane(&s, i, &surfaces[i]);
     }
 }
 

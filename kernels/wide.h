@@ -76,6 +76,10 @@ INLINED wide wide_sqrt(wide a)
 {
     return sqrt(a);
 }
+INLINED wide wide_copysign(wide a, wide b)
+{
+    return copysign(a, b);
+}
 INLINED wide wide_exp(wide a)
 {
     return exp(a);
@@ -176,6 +180,11 @@ INLINED wide wide_fabs(wide a)
 INLINED wide wide_sqrt(wide a)
 {
     for (u32 i = 0; i < LANES; i++) a[i] = sqrt(a[i]);
+    return a;
+}
+INLINED wide wide_copysign(wide a, wide b)
+{
+    for (u32 i = 0; i < LANES; i++) a[i] = copysign(a[i], b[i]);
     return a;
 }
 INLINED wide wide_exp(wide a)

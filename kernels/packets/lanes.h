@@ -55,32 +55,74 @@ INLINED wide_vec wide_apply(__global const float* m, wide_vec v)
 {
     return make_wide_vec(wide_dot_shared(m, v), wide_dot_shared(m + 3, v), wide_dot_shared(m + 6, v));
 }
+INLINED wide_vec wide_apply_transposed(__global const float* m, wide_vec v)
+{
+    const wide x0 = wide_all(R(m[0])), x1 = wide_all(R(m[1])), x2 = wide_all(R(m[2]));
+    const wide y0 = wide_all(R(m[3])), y1 = wide_all(R(m[4])), y2 = wide_all(R(m[5]));
+    const wide z0 = wide_all(R(m[6])), z1 = wide_all(R(m[7])), z2 = wide_all(R(m[8]));
+    return make_wide_vec(wide_fma(x0, v.x, wide_fma(y0, v.y, z0 * v.z)), wide_fma(x1, v.x, wide_fma(y1, v.y, z1 * v.z)),
+                         wide_fma(x2, v.x, wide_fma(y2, v.y, z2 * v.z)));
+}
 INLINED wide wide_max_norm(wide_vec a)
 {
     return wide_larger(wide_fabs(a.x), wide_larger(wide_fabs(a.y), wide_fabs(a.z)));
 }
 
-/* As Sum, length_excess, renormalized and unit (kernels/unit.h), with the same roundings. */
+/* As kernels/compensated.h, vec.h and unit.h have it of one lane, with the same roundings. */
+INLINED wide wide_difference_of_products(wide a, wide b, wide c, wide d)
+{
+    const wide w = c * d, e = wide_fma(-c, d, w);
+    return wide_fma(a, b, -w) + e;
+}
+INLINED wide wide_difference_error(wide a, wide b)
+{
+    const wide d = a - b, z = d - a;
+    return (a - (d - z)) - (b + z);
+}
+INLINED wide_vec wide_cross_exact(wide_vec a, wide_vec b)
+{
+    return make_wide_vec(wide_difference_of_products(a.y, b.z, a.z, b.y),
+                         wide_difference_of_products(a.z, b.x, a.x, b.z),
+                         wide_difference_of_products(a.x, b.y, a.y, b.x));
+}
+
 typedef struct {
     wide value, error;
 } WideSum;
 
-INLINED void wide_add_square(WideSum* s, wide a)
+INLINED WideSum make_wide_sum(real value)
 {
-    const wide p = a * a, t = s->value + p, z = t - s->value;
-    s->error += wide_fma(a, a, -p);
+    WideSum s;
+    s.value = wide_all(value);
+    s.error = wide_all(R(0));
+    return s;
+}
+INLINED void wide_sum_product(WideSum* s, wide a, wide b)
+{
+    const wide p = a * b, t = s->value + p, z = t - s->value;
+    s->error += wide_fma(a, b, -p);
     s->error += (s->value - (t - z)) + (p - z);
     s->value = t;
 }
+INLINED wide wide_dot_exact(wide_vec a, wide_vec b)
+{
+    WideSum s = make_wide_sum(R(0));
+    wide_sum_product(&s, a.x, b.x);
+    wide_sum_product(&s, a.y, b.y);
+    wide_sum_product(&s, a.z, b.z);
+    return s.value + s.error;
+}
 INLINED wide wide_length_excess(wide_vec d)
 {
-    WideSum s;
-    s.value = wide_all(R(-1));
-    s.error = wide_all(R(0));
-    wide_add_square(&s, d.x);
-    wide_add_square(&s, d.y);
-    wide_add_square(&s, d.z);
+    WideSum s = make_wide_sum(R(-1));
+    wide_sum_product(&s, d.x, d.x);
+    wide_sum_product(&s, d.y, d.y);
+    wide_sum_product(&s, d.z, d.z);
     return s.value + s.error;
+}
+INLINED wide wide_over_square(wide x, wide excess)
+{
+    return wide_fma(-excess, x, x);
 }
 INLINED wide_vec wide_renormalized(wide_vec d)
 {

@@ -55,6 +55,13 @@ INLINED void put_vec(Packet* packet, u32 row, wide_vec v)
     store_wide(v.y, packet->rows[row + 1]);
     store_wide(v.z, packet->rows[row + 2]);
 }
+/* Puts the vectors of some lanes into rows. */
+INLINED void put_where(wide_mask lanes, wide_vec v, real rows[3][LANES])
+{
+    store_wide(where(lanes, v.x, load_lanes(rows[0])), rows[0]);
+    store_wide(where(lanes, v.y, load_lanes(rows[1])), rows[1]);
+    store_wide(where(lanes, v.z, load_lanes(rows[2])), rows[2]);
+}
 INLINED rgb lane_color(const Packet* packet, u32 row, u32 lane)
 {
     return make_rgb(packet->rows[row][lane], packet->rows[row + 1][lane], packet->rows[row + 2][lane]);

@@ -88,8 +88,9 @@ INLINED void trace_packet(World* world, PacketStacks* stacks, const Packet* pack
     const wide_mask some = medium != all_ids(MEDIUM_NO_RAY);
     if (!any_lane(some)) return;
     count_lanes(world, STAT_QUERIES, some);
-    const LaneHits hits = search_packet(world, packet);
-    shade_packet(world, stacks, packet, &hits, light);
+    PacketSurfaces surfaces;
+    packet_surfaces(world, packet, &surfaces);
+    shade_packet(world, stacks, packet, &surfaces, light);
 }
 
 /* Samples sample_begin..sample_end-1 of all pixels of the block. */
