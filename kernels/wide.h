@@ -64,6 +64,14 @@ INLINED wide_id all_ids(int x)
 {
     return (wide_id)(x);
 }
+INLINED wide wide_of_ids(wide_id a)
+{
+#ifdef CLU_DOUBLE
+    return convert_double8(a);
+#else
+    return convert_float8(a);
+#endif
+}
 INLINED wide wide_fma(wide a, wide b, wide c)
 {
     return fma(a, b, c);
@@ -166,6 +174,12 @@ INLINED wide wide_all(real x)
 {
     const wide a = {x, x, x, x, x, x, x, x};
     return a;
+}
+INLINED wide wide_of_ids(wide_id a)
+{
+    wide x;
+    for (u32 i = 0; i < LANES; i++) x[i] = (real)a[i];
+    return x;
 }
 INLINED wide wide_fma(wide a, wide b, wide c)
 {

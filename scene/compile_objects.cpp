@@ -149,12 +149,33 @@ private:
         for (const std::size_t kind : order)
             for (const Member& member : group.members)
                 if (member.index() == kind) out.members.push_back(reference(member));
+        pair_planes(std::span(out.members).subspan(g.begin));
         g.single = g.count - (in_blocks ? static_cast<u32>(planes_of_group) : 0);
         for (u32 i = g.single; i < g.count; i += PLANE_BLOCK)
             add_block(std::span(out.members).subspan(g.begin + i, std::min<u32>(PLANE_BLOCK, g.count - i)));
         g.block_count = static_cast<u32>(out.blocks.size()) - g.block_begin;
         out.groups.push_back(g);
         return groups_of_this++;
+    }
+
+    /// Opposite planes side by side, and before all other planes: packets take two at once (kernels/packets/spans.h).
+    void pair_planes(std::span<u32> members) const
+    {
+        const auto is_plane = [](u32 m) { return (m & MEMBER_KIND) == MEMBER_PLANE; };
+        const auto opposite = [&](u32 a, u32 b) {
+            const LayoutPlane &p = out.planes[a >> MEMBER_SHIFT], &q = out.planes[b >> MEMBER_SHIFT];
+            return p.n[0] == -q.n[0] && p.n[1] == -q.n[1] && p.n[2] == -q.n[2];
+        };
+        auto next = std::ranges::find_if(members, is_plane);
+        const auto end = std::find_if_not(next, members.end(), is_plane);
+        for (auto first = next; first != end; ++first) {
+            const auto second = std::find_if(first + 1, end, [&](u32 m) { return opposite(*first, m); });
+            if (second == end) continue;
+            std::rotate(next, first, first + 1);
+            std::rotate(next + 1, second, second + 1);
+            next += 2;
+            first = next - 1;
+        }
     }
 
     void add_block(std::span<const u32> members)

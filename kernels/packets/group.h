@@ -47,9 +47,9 @@ INLINED void packet_complement(PacketSpan* s)
     s->keep |= one_sided;
 }
 
-/* The span of an object's group; where it does not keep it has two ends. */
+/* The span of an object's group, for the rays of `want`; where it does not keep it has two ends. */
 static CALLED void packet_group(const World* world, __global const LayoutObject* object, u32 number,
-                                const PacketLine* l, PacketSpan* s)
+                                const PacketLine* l, wide_mask want, PacketSpan* s)
 {
     const u32 sole = object->sole;
     LayoutGroup group = {0, 1, 1, 0, 0, 0}; /* of a sole member */
@@ -59,7 +59,15 @@ static CALLED void packet_group(const World* world, __global const LayoutObject*
         const u32 member = sole == MEMBER_NONE ? world->members[group.begin + i] : sole;
 #ifdef CLU_PLANE
         if ((member & MEMBER_KIND) == MEMBER_PLANE && group.count > 1u) {
-            packet_plane(&world->planes[member >> MEMBER_SHIFT], member, l, s);
+            const u32 next = i + 1u < group.count ? world->members[group.begin + i + 1u] : MEMBER_NONE;
+            if ((next & MEMBER_KIND) == MEMBER_PLANE &&
+                are_opposite(&world->planes[member >> MEMBER_SHIFT], &world->planes[next >> MEMBER_SHIFT])) {
+                packet_slab(world, member, next, l, s);
+                i++;
+            } else {
+                packet_plane(&world->planes[member >> MEMBER_SHIFT], member, l, s);
+            }
+            if (!any_lane(want & ~(s->lo > s->hi + l->tolerance))) break;
             continue;
         }
 #endif

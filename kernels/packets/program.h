@@ -36,7 +36,7 @@ INLINED int packet_program(const World* world, __global const LayoutObject* obje
 {
     program->count = object->group_count;
     if (program->count > PROGRAM_GROUPS) return 0;
-    for (u32 i = 0; i < program->count; i++) packet_group(world, object, i, l, &program->groups[i]);
+    for (u32 i = 0; i < program->count; i++) packet_group(world, object, i, l, all_ids(-1), &program->groups[i]);
     return 1;
 }
 

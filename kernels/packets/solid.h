@@ -111,7 +111,7 @@ INLINED PacketEnd packet_crossing(const World* world, __global const LayoutObjec
     solid.gap_count = 0;
     for (u32 i = 0; i < object->group_count; i++) {
         PacketSpan s;
-        packet_group(world, object, i, l, &s);
+        packet_group(world, object, i, l, want, &s);
         if (any) packet_complement(&s);
         packet_cut(&solid.whole, s.keep, &s);
         const wide_mask gap = ~s.keep & (s.lo < s.hi);
@@ -150,7 +150,7 @@ INLINED wide_mask packet_holds(const World* world, __global const LayoutObject* 
     wide_mask undecided = *want, decided = all_ids(0);
     for (u32 i = 0; i < object->group_count && any_lane(undecided); i++) {
         PacketSpan s;
-        packet_group(world, object, i, l, &s);
+        packet_group(world, object, i, l, undecided, &s);
         const wide tolerance = l->tolerance;
         const wide_mask at_lo = (at >= s.lo - tolerance) & (at <= wide_smaller(s.lo_in, s.hi) + tolerance);
         const wide_mask at_hi = (at <= s.hi + tolerance) & (at >= wide_larger(s.hi_in, s.lo) - tolerance);

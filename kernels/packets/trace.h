@@ -39,47 +39,45 @@ INLINED void find_starts(World* world, wide_mask some, Packet* packet)
     }
 }
 
-/* Begins the lane's ray, unless it is black by rule. */
-INLINED void begin_lane(World* world, Packet* packet, u32 lane)
+/* Ends the rays that start in an opaque medium, which are black by rule, and counts the others. */
+INLINED void begin_rays(World* world, Packet* packet, wide_mask some)
 {
-    const u32 medium = unsigned_medium(packet->ids[ID_MEDIUM][lane]);
-    const rgb all = grey(R(1));
-    if (is_black(world, all, all, world->frame->max_hops, medium)) {
-        packet->ids[ID_MEDIUM][lane] = MEDIUM_NO_RAY;
-        return;
+    const wide_id medium = load_ids(packet->ids[ID_MEDIUM]);
+    for (u32 within = wide_bits(some & (medium != all_ids(MEDIUM_VACUUM))); within; within &= within - 1u) {
+        const u32 i = first_lane(within);
+        if (index_of(world, (u32)packet->ids[ID_MEDIUM][i]) == R(0)) packet->ids[ID_MEDIUM][i] = MEDIUM_NO_RAY;
     }
-    COUNT(world, STAT_RAYS);
-    COUNT(world, STAT_PRIMARY);
+    const u32 count = count_bits(wide_bits(load_ids(packet->ids[ID_MEDIUM]) != all_ids(MEDIUM_NO_RAY)));
+    world->stats[STAT_RAYS] += count;
+    world->stats[STAT_PRIMARY] += count;
 }
 
-/* The observer's rays through eight of the block's pixels, from a place in Morton's order on. */
+/* The observer's rays through eight of the block's pixels, from a place in Morton's order on: four by two pixels. */
 INLINED void observe_packet(World* world, const PixelBlock* block, u32 place, u32 sample, Packet* packet)
 {
     __global const LayoutFrame* f = world->frame;
-    real a, b, u[LANES], v[LANES];
+    const int right[LANES] = {0, 1, 0, 1, 2, 3, 2, 3}, below[LANES] = {0, 0, 1, 1, 0, 0, 1, 1};
+    const wide_id i = load_ids(right) + all_ids((int)even_bits(place));
+    const wide_id j = load_ids(below) + all_ids((int)even_bits(place >> 1));
+    real a, b;
     sample_offset(sample, f->corner, &a, &b);
-    for (u32 k = 0; k < LANES; k++) {
-        const u32 i = even_bits(place + k), j = even_bits((place + k) >> 1);
-        u[k] = (R(block->x + i) - R(0.5f) * R(f->width) + a) / R(f->width);
-        v[k] = (R(block->y + j) - R(0.5f) * R(f->height) + b) / R(f->height);
-        packet->ids[ID_LEFT][k] = (int)MEMBER_NONE;
-        packet->ids[ID_LEFT_INSIDE][k] = 0;
-        packet->ids[ID_MEDIUM][k] = i < block->width && j < block->height ? MEDIUM_VACUUM : MEDIUM_NO_RAY;
-        packet->ids[ID_TAG][k] = (int)((j * PACKET_TILE + i) | (f->max_hops << PIXEL_BITS));
-        packet->rows[ROW_ERR][k] = R(0);
-        for (u32 row = ROW_THROUGHPUT; row < ROW_COUNT; row++) packet->rows[row][k] = R(1);
-    }
-    const wide across = load_lanes(u), down = load_lanes(v);
-    const wide_vec s =
-        make_wide_vec(R(f->column[0]) * across + R(f->row[0]) * down, R(f->column[1]) * across + R(f->row[1]) * down,
-                      R(f->column[2]) * across + R(f->row[2]) * down);
+    const wide u = (wide_of_ids(i + all_ids((int)block->x)) - R(0.5f) * R(f->width) + a) / R(f->width);
+    const wide v = (wide_of_ids(j + all_ids((int)block->y)) - R(0.5f) * R(f->height) + b) / R(f->height);
+    const wide_mask some = (i < all_ids((int)block->width)) & (j < all_ids((int)block->height));
+    const wide_vec s = make_wide_vec(R(f->column[0]) * u + R(f->row[0]) * v, R(f->column[1]) * u + R(f->row[1]) * v,
+                                     R(f->column[2]) * u + R(f->row[2]) * v);
     const wide_vec d = wide_unit(make_wide_vec(R(f->forward[0]) + s.x, R(f->forward[1]) + s.y, R(f->forward[2]) + s.z));
     put_vec(packet, ROW_O, wide_scaled(s, wide_all(R(f->window))));
     put_vec(packet, ROW_D, d);
     store_wide(wide_length_excess(d), packet->rows[ROW_EXCESS]);
-    const wide_mask some = load_ids(packet->ids[ID_MEDIUM]) != all_ids(MEDIUM_NO_RAY);
+    store_wide(wide_all(R(0)), packet->rows[ROW_ERR]);
+    for (u32 row = ROW_THROUGHPUT; row < ROW_COUNT; row++) store_wide(wide_all(R(1)), packet->rows[row]);
+    store_ids(all_ids((int)MEMBER_NONE), packet->ids[ID_LEFT]);
+    store_ids(all_ids(0), packet->ids[ID_LEFT_INSIDE]);
+    store_ids(where_id(some, all_ids(MEDIUM_VACUUM), all_ids(MEDIUM_NO_RAY)), packet->ids[ID_MEDIUM]);
+    store_ids(j * all_ids((int)PACKET_TILE) + i + all_ids((int)(f->max_hops << PIXEL_BITS)), packet->ids[ID_TAG]);
     if (f->start_count) find_starts(world, some, packet);
-    for (u32 lanes = wide_bits(some); lanes; lanes &= lanes - 1u) begin_lane(world, packet, first_lane(lanes));
+    begin_rays(world, packet, some);
 }
 
 INLINED void trace_packet(World* world, PacketStacks* stacks, const Packet* packet, TileLight* light)
