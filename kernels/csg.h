@@ -185,17 +185,21 @@ static inline int object_holds(const World* world, __global const LayoutObject* 
     return 1;
 }
 
-/* The end nearest to x at which the object is entered (or left). */
-static inline Crossing nearest_face(const Span* spans, u32 count, real x, int entering)
+/* The end nearest to x at which the object is entered (or left). An empty span's yields to another that lies there but
+ * for doubt: the ray passes flush faces outside of their solids. */
+static inline Crossing nearest_face(const Span* spans, u32 count, real x, real doubt, int entering)
 {
     Crossing best = {INFINITE, INFINITE, R(0), R(0), MEMBER_NONE};
+    real nearest = INFINITE;
     for (u32 i = 0; i < count; i++) {
         const Span* s = &spans[i];
-        const int at_lo = s->keep == entering;
-        const real at = at_lo ? s->lo : s->hi;
-        if (fabs(at - x) < fabs(best.at - x)) {
+        const int at_lo = s->keep == entering, empty = s->keep && !(s->lo < s->hi);
+        const real at = at_lo ? s->lo : s->hi, slope = at_lo ? s->slope_lo : s->slope_hi;
+        const real away = fabs(at - x) + (empty ? slope * doubt : R(0));
+        if (away < nearest) {
+            nearest = away;
             best.at = at;
-            best.slope = at_lo ? s->slope_lo : s->slope_hi;
+            best.slope = slope;
             best.face = at_lo ? s->face_lo : s->face_hi;
         }
     }
@@ -265,7 +269,7 @@ static inline int object_crossing(World* world, __global const LayoutObject* obj
             if (!inside && !object->program_count && s.keep && !(s.lo < s.hi && s.hi >= from)) return 0;
         } while (++i < count);
         if (object_holds(world, object, spans, from, doubt) != inside) {
-            *crossing = crossing_here(world, line, nearest_face(spans, count, from, !inside), place);
+            *crossing = crossing_here(world, line, nearest_face(spans, count, from, doubt, !inside), place);
             return 1;
         }
         real at = from, here = doubt;
@@ -274,7 +278,7 @@ static inline int object_crossing(World* world, __global const LayoutObject* obj
             if (!(at < INFINITE)) return 0;
             here = place_error(line, at, R(0));
         } while (object_holds(world, object, spans, at, here) == inside);
-        *crossing = nearest_face(spans, count, at, !inside);
+        *crossing = nearest_face(spans, count, at, here, !inside);
         crossing->at = at;
         crossing->t = at - line->start;
         crossing->err = crossing_error(line, crossing);

@@ -31,7 +31,7 @@ static CALLED u32 full_medium_at_start(World* world, const Ray* ray)
 INLINED u32 medium_at_start(World* world, const Ray* ray)
 {
     u32 medium;
-    return quick_medium(world, ray, R(0), VACUUM, &medium) ? medium : full_medium_at_start(world, ray);
+    return quick_medium(world, ray, R(0), VACUUM, 0, &medium) ? medium : full_medium_at_start(world, ray);
 }
 
 /* The ray through pixel (i, j), and the medium of its start. */

@@ -22,6 +22,14 @@ typedef struct {
     int sure;
 } QuickCrossing;
 
+/* The nearest crossing; where another is so near that this search cannot tell which is met first (tied), that one too.
+ */
+typedef struct {
+    QuickCrossing first, rival;
+    int tied;
+    real spread; /* how far the surface may be from another that is crossed with it */
+} QuickHit;
+
 INLINED QuickSpan quick_member(const World* world, u32 member, const QuickLine* line)
 {
     const int left = (member & ~MEMBER_INVERSE) == line->left;
@@ -239,74 +247,55 @@ static CALLED int quick_crossing(const World* world, u32 id, const Ray* ray, int
     return met;
 }
 
-/* Whether the object holds the point just after ray parameter t: 1 or 0, or -1 if that is not sure. */
-static CALLED int quick_holds(const World* world, u32 id, const Ray* ray, real t)
+/* Whether the object holds the point just after ray parameter t: 1 or 0; -1 if that is not sure, QUICK_ENTERED or
+ * QUICK_LEAVES if it depends on *end alone, where the object is entered or left. */
+#define QUICK_ENTERED 2
+#define QUICK_LEAVES 3
+static CALLED int quick_holds(const World* world, u32 id, const Ray* ray, real t, QuickCrossing* end)
 {
     __global const LayoutObject* object = &world->objects[id];
     const QuickLine line = quick_line(ray, object);
     const real at = t + line.start;
     const int any = object->form == FORM_ANY;
+    int depends = 0;
     if (object->form == FORM_PROGRAM) return -1;
+    end->object = id;
+    end->t = t;
+    end->tolerance = R(2) * line.tolerance;
     for (u32 i = 0; i < object->group_count; i++) {
         const QuickSpan s = quick_group(world, object, i, &line);
-        if (s.marks & QUICK_VAGUE && s.lo <= at && at <= s.hi) return -1;
-        if (fabs(s.lo - at) <= line.tolerance || fabs(s.hi - at) <= line.tolerance) return -1;
-        if (((s.lo < at && at < s.hi) == s.keep) == any) return any;
+        const int vague = (s.marks & QUICK_VAGUE) != 0u;
+        const int about = at >= s.lo - line.tolerance && at <= s.hi + line.tolerance;
+        const int at_lo = about && at <= s.lo + line.tolerance, at_hi = about && at >= s.hi - line.tolerance;
+        if (at_lo || at_hi || (vague && about)) {
+            depends = vague || at_lo == at_hi || depends ? -1 : at_lo == s.keep ? QUICK_ENTERED : QUICK_LEAVES;
+            end->face = at_lo ? s.face_lo : s.face_hi;
+        } else if (((s.lo < at && at < s.hi) == s.keep) == any) {
+            return any;
+        }
     }
-    return !any;
+    return depends ? depends : !any;
 }
 
-/* Looks at one more object: the nearest crossing stays in *best. */
-INLINED void quick_try(World* world, u32 id, const Ray* ray, int inside, QuickCrossing* best)
+/* Looks at one more object: the nearest crossing stays in *hit. */
+INLINED void quick_try(World* world, u32 id, const Ray* ray, int inside, QuickHit* hit)
 {
     QuickCrossing c;
+    QuickCrossing* first = &hit->first;
     COUNT(world, STAT_TESTS);
     if (!quick_crossing(world, id, ray, inside, &c)) return;
-    const real apart = larger(c.tolerance, best->tolerance);
-    if (c.t < best->t - apart || best->t == INFINITE) {
-        *best = c;
-    } else if (c.t <= best->t + apart) {
-        best->sure = 0;
-        best->tolerance = apart;
-        best->t = smaller(c.t, best->t);
+    const real apart = larger(c.tolerance, first->tolerance);
+    if (c.t < first->t - apart || first->t == INFINITE) {
+        *first = c;
+        hit->tied = 0;
+    } else if (c.t <= first->t + apart) {
+        const int sure = c.sure && first->sure && !hit->tied; /* a third one is too many */
+        hit->rival = c.t < first->t ? *first : c;
+        if (c.t < first->t) *first = c;
+        first->tolerance = hit->rival.tolerance = apart;
+        first->sure = sure;
+        hit->tied = 1;
     }
-}
-
-/* Where a ray in a medium next leaves it, or enters what has precedence over it: t is infinite if nowhere. What is
- * below the medium is not there as long as that lasts. */
-INLINED QuickCrossing quick_nearest(World* world, const Ray* ray, u32 medium)
-{
-    QuickCrossing best;
-    best.t = INFINITE;
-    best.tolerance = R(0);
-    best.sure = QUICK;
-    if (!QUICK) best.t = R(0);
-    Walk walk;
-    walk_begin(&walk, ray);
-    for (int inside = medium != VACUUM; best.sure || best.t > best.tolerance; inside = 0) {
-        const u32 id = inside ? medium : walk_next(&walk, world, -ray->err, best.t + best.tolerance);
-        if (id == WALK_DONE) break;
-        if (inside || id < medium) quick_try(world, id, ray, inside, &best);
-    }
-    return best;
-}
-
-/* The first object below `above` that holds the point just after ray parameter t, or VACUUM; 0 if that is not sure. */
-INLINED int quick_medium(World* world, const Ray* ray, real t, u32 above, u32* medium)
-{
-    Walk walk;
-    walk_begin(&walk, ray);
-    *medium = VACUUM;
-    while (QUICK) {
-        const u32 id = walk_next(&walk, world, t, t);
-        if (id == WALK_DONE) return 1;
-        if (id >= *medium || (above != VACUUM && id <= above)) continue;
-        COUNT(world, STAT_TESTS);
-        const int holds = quick_holds(world, id, ray, t);
-        if (holds < 0) return 0;
-        if (holds) *medium = id;
-    }
-    return 0;
 }
 
 /* The end of the solid that the full search would have found there. */
@@ -329,6 +318,89 @@ INLINED int confirm(const World* world, const Ray* ray, const QuickCrossing* qui
     crossing->t = crossing->at - line.start;
     crossing->err = crossing_error(&line, crossing);
     return fabs(crossing->t - quick->t) <= quick->tolerance;
+}
+
+/* Of two ends that lie near each other: whether a comes first (-1), b does (1), or rounding cannot tell, so that they
+ * are crossed as one (0); END_UNKNOWN if they are not where the quick search has them. *spread: how far each may then
+ * be from a place on the other. */
+#define END_UNKNOWN 2
+static CALLED int end_order(const World* world, const Ray* ray, const QuickCrossing* a, const QuickCrossing* b,
+                            real* spread)
+{
+    Crossing one, other;
+    if (!confirm(world, ray, a, &one) || !confirm(world, ray, b, &other)) return END_UNKNOWN;
+    *spread = fabs(one.t - other.t) / larger(smaller(one.slope, other.slope), R(1));
+    if (one.t <= other.t) return coincides(one, other) ? 0 : -1;
+    return coincides(other, one) ? 0 : 1;
+}
+
+/* Of two boundaries that are near each other the robust arithmetic tells which is met. Both at once are as one of the
+ * object that has precedence: no more than one of them can be the medium's, which is left, so the other is entered. */
+INLINED void quick_untie(const World* world, const Ray* ray, QuickHit* hit)
+{
+    real spread = R(0);
+    const int order = end_order(world, ray, &hit->first, &hit->rival, &spread);
+    if (order == END_UNKNOWN)
+        hit->first.sure = 0;
+    else if (order > 0 || (order == 0 && hit->rival.object < hit->first.object))
+        hit->first = hit->rival;
+    if (order == 0) hit->spread = spread;
+}
+
+/* Where a ray in a medium next leaves it, or enters what has precedence over it: t is infinite if nowhere. What is
+ * below the medium is not there as long as that lasts. */
+INLINED QuickHit quick_nearest(World* world, const Ray* ray, u32 medium)
+{
+    QuickHit hit;
+    hit.first.t = INFINITE;
+    hit.first.tolerance = R(0);
+    hit.first.sure = QUICK;
+    hit.tied = 0;
+    hit.spread = R(0);
+    if (!QUICK) hit.first.t = R(0);
+    Walk walk;
+    walk_begin(&walk, ray);
+    for (int inside = medium != VACUUM; hit.first.sure || hit.first.t > hit.first.tolerance; inside = 0) {
+        const u32 id = inside ? medium : walk_next(&walk, world, -ray->err, hit.first.t + hit.first.tolerance);
+        if (id == WALK_DONE) break;
+        if (inside || id < medium) quick_try(world, id, ray, inside, &hit);
+    }
+    if (hit.tied && hit.first.sure) quick_untie(world, ray, &hit);
+    return hit;
+}
+
+/* Whether an object holds the points beyond the medium's end, which lies near *end of the object's own: 1, 0 or -1.
+ * Where both are left the full search looks whether one is entered again. */
+INLINED int holds_beyond(const World* world, const Ray* ray, QuickHit* left, const QuickCrossing* end, int entered)
+{
+    real spread = R(0);
+    if (left->tied) return -1;
+    left->tied = 1;
+    const int order = end_order(world, ray, &left->first, end, &spread);
+    if (order == END_UNKNOWN || (order == 0 && !entered)) return -1;
+    if (order == 0) left->spread = spread;
+    return entered == (order >= 0);
+}
+
+/* The first object below `above` that holds the point just after ray parameter t, or VACUUM; 0 if that is not sure.
+ * left: the crossing at t, or NULL if there is none. */
+INLINED int quick_medium(World* world, const Ray* ray, real t, u32 above, QuickHit* left, u32* medium)
+{
+    Walk walk;
+    walk_begin(&walk, ray);
+    *medium = VACUUM;
+    while (QUICK) {
+        const u32 id = walk_next(&walk, world, t, t);
+        if (id == WALK_DONE) return 1;
+        if (id >= *medium || (above != VACUUM && id <= above)) continue;
+        COUNT(world, STAT_TESTS);
+        QuickCrossing end;
+        int holds = quick_holds(world, id, ray, t, &end);
+        if (holds > 1) holds = left ? holds_beyond(world, ray, left, &end, holds == QUICK_ENTERED) : -1;
+        if (holds < 0) return 0;
+        if (holds) *medium = id;
+    }
+    return 0;
 }
 
 #endif

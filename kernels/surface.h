@@ -85,15 +85,15 @@ static CALLED int full_surface(World* world, const Ray* ray, u32 medium, Surface
 /* Likewise by the quick search; -1 if that is not sure. */
 INLINED int quick_surface(World* world, const Ray* ray, u32 medium, Surface* surface)
 {
-    const QuickCrossing quick = quick_nearest(world, ray, medium);
-    if (quick.t == INFINITE) return 0;
-    if (!quick.sure) return -1;
-    u32 after = quick.object;
+    QuickHit hit = quick_nearest(world, ray, medium);
+    if (hit.first.t == INFINITE) return 0;
+    if (!hit.first.sure) return -1;
+    u32 after = hit.first.object;
     Crossing crossing;
-    if (after == medium && !quick_medium(world, ray, quick.t, medium, &after)) return -1;
-    if (!confirm(world, ray, &quick, &crossing)) return -1;
+    if (after == medium && !quick_medium(world, ray, hit.first.t, medium, &hit, &after)) return -1;
+    if (!confirm(world, ray, &hit.first, &crossing)) return -1;
     const real left = crossing.t <= CLEAR * ray->err ? ray->err : R(0);
-    *surface = make_surface(world, ray, quick.object, crossing, left, medium, after);
+    *surface = make_surface(world, ray, hit.first.object, crossing, left + hit.spread, medium, after);
     return 1;
 }
 

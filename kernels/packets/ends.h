@@ -3,6 +3,7 @@
 #ifndef CLUCIDA_PACKETS_ENDS_H
 #define CLUCIDA_PACKETS_ENDS_H
 
+#include "kernels/packets/exact.h"
 #include "kernels/packets/spans.h"
 #include "kernels/solids/quadric.h"
 
@@ -34,6 +35,14 @@ INLINED WideLine wide_line(wide_vec o, wide_vec d, wide excess, __global const L
     }
     l.size = wide_larger(wide_max_norm(l.base), wide_all(R(object->grain)));
     return l;
+}
+
+/* As surface_error (kernels/rounding.h) of the point p, at parameter `at`. */
+INLINED wide wide_surface_error(const WideLine* line, wide at, wide_vec p)
+{
+    const wide stored =
+        R(STORED_ROUNDOFF / UNIT_ROUNDOFF) * (ROUNDINGS * UNIT_ROUNDOFF * wide_larger(line->size, wide_fabs(at)));
+    return wide_larger(ROUNDINGS * R(STORED_ROUNDOFF) * wide_larger(wide_max_norm(p), wide_all(R(0))), stored);
 }
 
 #ifdef CLU_PLANE

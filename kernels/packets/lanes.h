@@ -15,6 +15,15 @@ INLINED wide_id where_id(wide_mask mask, wide_id a, wide_id b)
     return id_select(b, a, mask);
 }
 
+/* A set of rays as a mask. */
+INLINED wide_mask rays_mask(u32 rays)
+{
+    wide_id bit;
+    const int bits[LANES] = {1, 2, 4, 8, 16, 32, 64, 128};
+    bit = load_ids(bits);
+    return (all_ids((int)rays) & bit) == bit;
+}
+
 typedef struct {
     wide x, y, z;
 } wide_vec;
@@ -66,71 +75,6 @@ INLINED wide_vec wide_apply_transposed(__global const float* m, wide_vec v)
 INLINED wide wide_max_norm(wide_vec a)
 {
     return wide_larger(wide_fabs(a.x), wide_larger(wide_fabs(a.y), wide_fabs(a.z)));
-}
-
-/* As kernels/compensated.h, vec.h and unit.h have it of one lane, with the same roundings. */
-INLINED wide wide_difference_of_products(wide a, wide b, wide c, wide d)
-{
-    const wide w = c * d, e = wide_fma(-c, d, w);
-    return wide_fma(a, b, -w) + e;
-}
-INLINED wide wide_difference_error(wide a, wide b)
-{
-    const wide d = a - b, z = d - a;
-    return (a - (d - z)) - (b + z);
-}
-INLINED wide_vec wide_cross_exact(wide_vec a, wide_vec b)
-{
-    return make_wide_vec(wide_difference_of_products(a.y, b.z, a.z, b.y),
-                         wide_difference_of_products(a.z, b.x, a.x, b.z),
-                         wide_difference_of_products(a.x, b.y, a.y, b.x));
-}
-
-typedef struct {
-    wide value, error;
-} WideSum;
-
-INLINED WideSum make_wide_sum(real value)
-{
-    WideSum s;
-    s.value = wide_all(value);
-    s.error = wide_all(R(0));
-    return s;
-}
-INLINED void wide_sum_product(WideSum* s, wide a, wide b)
-{
-    const wide p = a * b, t = s->value + p, z = t - s->value;
-    s->error += wide_fma(a, b, -p);
-    s->error += (s->value - (t - z)) + (p - z);
-    s->value = t;
-}
-INLINED wide wide_dot_exact(wide_vec a, wide_vec b)
-{
-    WideSum s = make_wide_sum(R(0));
-    wide_sum_product(&s, a.x, b.x);
-    wide_sum_product(&s, a.y, b.y);
-    wide_sum_product(&s, a.z, b.z);
-    return s.value + s.error;
-}
-INLINED wide wide_length_excess(wide_vec d)
-{
-    WideSum s = make_wide_sum(R(-1));
-    wide_sum_product(&s, d.x, d.x);
-    wide_sum_product(&s, d.y, d.y);
-    wide_sum_product(&s, d.z, d.z);
-    return s.value + s.error;
-}
-INLINED wide wide_over_square(wide x, wide excess)
-{
-    return wide_fma(-excess, x, x);
-}
-INLINED wide_vec wide_renormalized(wide_vec d)
-{
-    return wide_along(d, d, R(-0.5f) * wide_length_excess(d));
-}
-INLINED wide_vec wide_unit(wide_vec a)
-{
-    return wide_renormalized(wide_scaled(a, R(1) / wide_sqrt(wide_dot(a, a))));
 }
 
 #endif

@@ -3,19 +3,8 @@
 #ifndef CLUCIDA_PACKETS_SEARCH_H
 #define CLUCIDA_PACKETS_SEARCH_H
 
-#include "kernels/packets/solid.h"
+#include "kernels/packets/ties.h"
 #include "kernels/packets/walk.h"
-
-/* Media as signed numbers, so that an object has precedence over a medium if its number is less. */
-#define MEDIUM_VACUUM 0x7fffffff
-#define MEDIUM_NO_RAY (-1) /* an empty lane: nothing has precedence over it */
-
-typedef struct {
-    wide t, tolerance; /* t infinite: nothing is met */
-    wide_id object, face, after;
-    wide_mask sure;
-    wide_mask missing; /* the medium has not been looked at */
-} PacketHit;
 
 /* Sets the line, and tells which of the rays may meet the object's bounding sphere up to parameter `to`. */
 INLINED wide_mask packet_meets(PacketLine* l, __global const LayoutObject* object, wide to)
@@ -56,19 +45,23 @@ INLINED void packet_try(World* world, const PacketWalk* walk, u32 id, wide_mask 
     const wide apart = wide_larger(l->tolerance, hit->tolerance), infinite = wide_all(INFINITE);
     const wide_mask met = want & e.met, nearer = met & ((e.t < hit->t - apart) | (hit->t == infinite));
     const wide_mask near = met & ~nearer & (e.t <= hit->t + apart);
-    hit->t = where(nearer, e.t, where(near, wide_smaller(e.t, hit->t), hit->t));
-    hit->tolerance = where(nearer, l->tolerance, where(near, apart, hit->tolerance));
+    if (any_lane(near)) packet_tie(hit, near, me, &e, apart);
+    hit->t = where(nearer, e.t, hit->t);
+    hit->tolerance = where(nearer, l->tolerance, hit->tolerance);
     hit->object = where_id(nearer, me, hit->object);
     hit->face = where_id(nearer, e.face, hit->face);
-    hit->sure = where_id(nearer, e.sure, hit->sure & ~near);
+    hit->sure = where_id(nearer, e.sure, hit->sure);
+    hit->tied &= ~nearer;
     hit->missing &= ~(want & inside);
 }
 
 /* Of the rays that leave a medium, what they come into goes to hit->after: the first object below it that holds the
  * point just beyond. */
-INLINED void packet_look_beyond(World* world, wide_id medium, wide_mask seeking, PacketLine* l, PacketHit* hit)
+INLINED void packet_look_beyond(World* world, const Packet* packet, wide_id medium, wide_mask seeking, PacketLine* l,
+                                PacketHit* hit)
 {
     const wide t = where(seeking, hit->t, wide_all(R(0)));
+    const wide_mask leaving = medium != all_ids(MEDIUM_NO_RAY);
     const wide_vec p = wide_along(l->o, l->d, t);
     PacketWalk walk;
     packet_walk_begin(&walk, world, l->o, l->d);
@@ -89,21 +82,33 @@ INLINED void packet_look_beyond(World* world, wide_id medium, wide_mask seeking,
         packet_meets(l, object, t);
         packet_errors(l, object);
         const wide_mask asked = want;
-        const wide_mask holds = packet_holds(world, object, l, t + l->start, &want);
+        PacketDoubt doubt;
+        wide_mask holds = packet_holds(world, object, l, t + l->start, &want, &doubt);
+        wide_mask known = doubt.some & ~hit->tied & leaving;
+        if (any_lane(known)) {
+            hit->tied |= known;
+            holds |= packet_beyond_end(world, packet, hit, me, &doubt, R(2) * l->tolerance, &known);
+            want |= known;
+        }
         hit->after = where_id(holds, me, hit->after);
         hit->sure &= ~(asked & ~want);
         seeking &= hit->sure;
     }
 }
 
-INLINED PacketHit packet_search(World* world, wide_id medium, PacketLine* l)
+INLINED PacketHit packet_search(World* world, const Packet* packet, PacketLine* l)
 {
     PacketHit hit;
+    const wide_id medium = load_ids(packet->ids[ID_MEDIUM]);
     hit.t = wide_all(INFINITE);
     hit.tolerance = wide_all(R(0));
     hit.object = hit.after = all_ids(MEDIUM_VACUUM);
     hit.face = all_ids((int)MEMBER_NONE);
     hit.sure = all_ids(-1);
+    hit.tied = all_ids(0);
+    hit.rival_t = hit.t;
+    hit.spread = wide_all(R(0));
+    hit.rival = hit.rival_face = hit.face;
     hit.missing = (medium < all_ids(MEDIUM_VACUUM)) & (medium > all_ids(MEDIUM_NO_RAY));
     PacketWalk walk;
     packet_walk_begin(&walk, world, l->o, l->d);
@@ -116,9 +121,10 @@ INLINED PacketHit packet_search(World* world, wide_id medium, PacketLine* l)
         packet_try(world, &walk, id, rays, medium, l, &hit);
     }
     hit.sure &= ~hit.missing;
+    if (any_lane(hit.tied & hit.sure)) packet_untie(world, packet, &hit);
     const wide_mask seeking = hit.sure & (hit.t < wide_all(INFINITE)) & (hit.object == medium);
     hit.after = where_id(seeking, all_ids(MEDIUM_VACUUM), hit.object);
-    if (any_lane(seeking)) packet_look_beyond(world, medium, seeking, l, &hit);
+    if (any_lane(seeking)) packet_look_beyond(world, packet, medium, seeking, l, &hit);
     return hit;
 }
 

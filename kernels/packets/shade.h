@@ -4,6 +4,7 @@
 #define CLUCIDA_PACKETS_SHADE_H
 
 #include "kernels/hidden.h"
+#include "kernels/packets/stacks.h"
 #include "kernels/packets/surface.h"
 #include "kernels/trace.h"
 

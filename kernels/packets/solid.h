@@ -138,29 +138,46 @@ INLINED PacketEnd packet_crossing(const World* world, __global const LayoutObjec
     return e;
 }
 
+/* An end of a group's so near a point that the quick search cannot tell on which side of it the point lies. */
+typedef struct {
+    wide_mask some;  /* the lanes of which that decides whether the object holds the point */
+    wide_id face;    /* the end's */
+    wide_mask opens; /* the object is entered there, not left */
+} PacketDoubt;
+
 /* Of the lanes of *want those whose points at parameter `at` of the line lie inside the object; taken from *want are
- * those for which that is not sure. */
+ * those for which that is not sure, or depends on one end alone. */
 INLINED wide_mask packet_holds(const World* world, __global const LayoutObject* object, const PacketLine* l, wide at,
-                               wide_mask* want)
+                               wide_mask* want, PacketDoubt* doubt)
 {
+    doubt->some = doubt->opens = all_ids(0);
+    doubt->face = all_ids((int)MEMBER_NONE);
 #ifdef CLU_PROGRAM
     if (object->form == FORM_PROGRAM) return packet_program_holds(world, object, l, at, want);
 #endif
     const int any = object->form == FORM_ANY;
-    wide_mask undecided = *want, decided = all_ids(0);
+    wide_mask undecided = *want, decided = all_ids(0), doubtful = all_ids(0);
     for (u32 i = 0; i < object->group_count && any_lane(undecided); i++) {
         PacketSpan s;
         packet_group(world, object, i, l, undecided, &s);
         const wide tolerance = l->tolerance;
         const wide_mask at_lo = (at >= s.lo - tolerance) & (at <= wide_smaller(s.lo_in, s.hi) + tolerance);
         const wide_mask at_hi = (at <= s.hi + tolerance) & (at >= wide_larger(s.hi_in, s.lo) - tolerance);
-        const wide_mask doubtful = undecided & (at_lo | at_hi);
-        *want &= ~doubtful;
-        undecided &= ~doubtful;
-        const wide_mask in = ~(((s.lo < at) & (at < s.hi)) ^ s.keep), done = undecided & (any ? in : ~in);
+        const wide_mask near = undecided & (at_lo | at_hi);
+        if (any_lane(near)) {
+            const wide_mask one_end = near & (at_lo ^ at_hi) & ~doubtful & ~vague_lo(&s) & ~vague_hi(&s);
+            doubt->face = where_id(one_end, where_id(at_lo, s.face_lo, s.face_hi), doubt->face);
+            doubt->opens = where_id(one_end, ~(at_lo ^ s.keep), doubt->opens);
+            doubt->some = (doubt->some | one_end) & ~(near & ~one_end);
+            doubtful |= near;
+        }
+        const wide_mask in = ~(((s.lo < at) & (at < s.hi)) ^ s.keep), done = undecided & ~near & (any ? in : ~in);
         decided |= done;
         undecided &= ~done;
     }
+    doubtful &= ~decided;
+    doubt->some &= doubtful;
+    *want &= ~doubtful;
     return *want & (any ? decided : ~decided);
 }
 

@@ -4,7 +4,7 @@
 #define CLUCIDA_PACKETS_SURFACE_H
 
 #include "kernels/packets/ends.h"
-#include "kernels/packets/stacks.h"
+#include "kernels/packets/search.h"
 #include "kernels/surface.h"
 
 /* As Surface (kernels/surface.h) has it of one ray. */
@@ -111,11 +111,8 @@ INLINED void confirm_together(const World* world, const PacketLine* l, wide exce
     const wide_mask good = same & c.known & (wide_fabs(t - hit->t) <= hit->tolerance);
     const wide_vec p =
         make_wide_vec(R(object->center[0]) + c.p.x, R(object->center[1]) + c.p.y, R(object->center[2]) + c.p.z);
-    /* surface_error, and the error of what was left if that is near. */
-    const wide stored =
-        R(STORED_ROUNDOFF / UNIT_ROUNDOFF) * (ROUNDINGS * UNIT_ROUNDOFF * wide_larger(line.size, wide_fabs(c.at)));
-    const wide position = ROUNDINGS * R(STORED_ROUNDOFF) * wide_larger(wide_max_norm(p), wide_all(R(0)));
-    const wide err = wide_larger(position, stored) + where(t <= CLEAR * l->err, l->err, wide_all(R(0)));
+    const wide left = where(t <= CLEAR * l->err, l->err, wide_all(R(0)));
+    const wide err = wide_surface_error(&line, c.at, p) + (left + hit->spread);
     put_where(good, p, s->p);
     put_where(good, c.n, s->n);
     store_wide(where(good, t, load_lanes(s->t)), s->t);
@@ -127,18 +124,13 @@ INLINED void confirm_together(const World* world, const PacketLine* l, wide exce
 INLINED int confirm_alone(const World* world, const Packet* packet, const PacketHit* hit, u32 lane, PacketSurfaces* s)
 {
     const Ray ray = lane_ray(packet, lane);
-    real t[LANES], tolerance[LANES];
-    store_wide(hit->t, t);
-    store_wide(hit->tolerance, tolerance);
-    QuickCrossing quick;
+    const LaneEnds ends = lane_ends(hit->object, hit->face, hit->t, hit->tolerance);
+    const QuickCrossing quick = lane_end(&ends, lane);
     Crossing crossing;
-    quick.t = t[lane];
-    quick.tolerance = tolerance[lane];
-    quick.object = (u32)s->object[lane];
-    quick.face = (u32)s->face[lane];
-    quick.sure = 1;
+    real spreads[LANES];
+    store_wide(hit->spread, spreads);
     if (!confirm(world, &ray, &quick, &crossing)) return 0;
-    const real left = crossing.t <= CLEAR * ray.err ? ray.err : R(0);
+    const real left = (crossing.t <= CLEAR * ray.err ? ray.err : R(0)) + spreads[lane];
     const Surface surface =
         make_surface(world, &ray, quick.object, crossing, left, unsigned_medium(packet->ids[ID_MEDIUM][lane]),
                      unsigned_medium(s->after[lane]));
@@ -152,7 +144,7 @@ INLINED u32 sure_surfaces(World* world, const Packet* packet, PacketSurfaces* s)
     PacketLine l = packet_rays(packet);
     const wide_id medium = load_ids(packet->ids[ID_MEDIUM]);
     const wide_mask some = medium != all_ids(MEDIUM_NO_RAY);
-    const PacketHit hit = packet_search(world, medium, &l);
+    const PacketHit hit = packet_search(world, packet, &l);
     const wide_mask sure = QUICK ? some & hit.sure : all_ids(0);
     const wide excess = load_lanes(packet->rows[ROW_EXCESS]);
     store_ids(hit.object, s->object);

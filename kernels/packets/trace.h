@@ -29,7 +29,9 @@ INLINED void find_starts(World* world, wide_mask some, Packet* packet)
     hit.t = wide_all(R(0));
     hit.after = all_ids(MEDIUM_VACUUM);
     hit.sure = some;
-    packet_look_beyond(world, all_ids(MEDIUM_NO_RAY), some, &l, &hit);
+    hit.tied = all_ids(0);
+    hit.spread = wide_all(R(0));
+    packet_look_beyond(world, packet, all_ids(MEDIUM_NO_RAY), some, &l, &hit);
     store_ids(where_id(some, hit.after, all_ids(MEDIUM_NO_RAY)), packet->ids[ID_MEDIUM]);
     for (u32 unsure = wide_bits(some & ~hit.sure); unsure; unsure &= unsure - 1u) {
         const u32 i = first_lane(unsure);

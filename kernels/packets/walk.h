@@ -60,15 +60,6 @@ INLINED wide_mask packet_meets_box(const PacketWalk* walk, const World* world, w
     return near <= wide_smaller(far * (R(1) + R(8) * UNIT_ROUNDOFF), to);
 }
 
-/* A set of rays as a mask. */
-INLINED wide_mask rays_mask(u32 rays)
-{
-    wide_id bit;
-    const int bits[LANES] = {1, 2, 4, 8, 16, 32, 64, 128};
-    bit = load_ids(bits);
-    return (all_ids((int)rays) & bit) == bit;
-}
-
 /* Puts the node's children that one of the rays meets between from and to onto the stack, sorted down to base. */
 INLINED void packet_walk_open(PacketWalk* walk, __global const LayoutNode* node, u32 rays, const real from[LANES],
                               const real to[LANES], u32 base)
