@@ -2,6 +2,7 @@
 #ifndef CLUCIDA_TEXTURE_H
 #define CLUCIDA_TEXTURE_H
 
+#include "kernels/angle.h"
 #include "kernels/color.h"
 #include "kernels/world.h"
 
@@ -9,10 +10,10 @@
  * the pole to its opposite. */
 INLINED void direction_to_uv(vec d, real* u, real* v)
 {
-    real phi = atan2(d.y, d.x);
+    real phi = angle_of(d.y, d.x);
     if (phi < R(-0.5f) * PI_REAL) phi += R(2) * PI_REAL;
     *u = (phi + R(0.5f) * PI_REAL) / (R(2) * PI_REAL);
-    *v = atan2(sqrt(d.x * d.x + d.y * d.y), d.z) / PI_REAL;
+    *v = angle_of(sqrt(d.x * d.x + d.y * d.y), d.z) / PI_REAL;
 }
 
 #if defined(CLU_TEXTURE) || defined(CLU_SKY_PHOTOGRAPH)
@@ -86,7 +87,7 @@ INLINED rgb texture_color(const World* world, const LayoutTexture* t, vec p, vec
         break;
     }
     case MAPPING_LINEAR:
-        u = (atan2(turned.y, turned.x) + PI_REAL) / (R(2) * PI_REAL);
+        u = (angle_of(turned.y, turned.x) + PI_REAL) / (R(2) * PI_REAL);
         v = fraction(turned.z * scale);
         break;
     case MAPPING_PLANAR:
