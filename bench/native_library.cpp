@@ -1,7 +1,7 @@
 #include "bench/native_library.h"
 
-#include "host/child_process.h"
 #include "host/atomic_file.h"
+#include "host/child_process.h"
 #include "host/errors.h"
 #include "host/kernel_source.h"
 #include "host/sha256.h"

@@ -114,7 +114,8 @@ void run(RenderOptions o)
 void add_render(CLI::App& app)
 {
     auto options = std::make_shared<RenderOptions>();
-    CLI::App* command = app.add_subcommand("render", "Render a scene to a picture, or frames of it to pictures or a film");
+    CLI::App* command =
+        app.add_subcommand("render", "Render a scene to a picture, or frames of it to pictures or a film");
     add_render_options(*command, *options);
     command->footer("Examples:\n"
                     "  clucida render scene.clu\n"

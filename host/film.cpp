@@ -52,16 +52,48 @@ std::vector<std::string> encoder_arguments(FilmFormat format)
 {
     switch (format) {
     case FilmFormat::mp4:
-        return {"-vf", "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p", "-colorspace", "bt709",
-                "-color_primaries", "bt709", "-color_trc", "iec61966-2-1", "-c:v", "libx264", "-crf", "17",
-                "-movflags", "+faststart", "-f", "mp4"};
+        return {"-vf",
+                "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p",
+                "-colorspace",
+                "bt709",
+                "-color_primaries",
+                "bt709",
+                "-color_trc",
+                "iec61966-2-1",
+                "-c:v",
+                "libx264",
+                "-crf",
+                "17",
+                "-movflags",
+                "+faststart",
+                "-f",
+                "mp4"};
     case FilmFormat::webm:
-        return {"-vf", "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p", "-colorspace", "bt709",
-                "-color_primaries", "bt709", "-color_trc", "iec61966-2-1", "-c:v", "libvpx-vp9", "-crf", "24",
-                "-b:v", "0", "-row-mt", "1", "-f", "webm"};
+        return {"-vf",
+                "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p",
+                "-colorspace",
+                "bt709",
+                "-color_primaries",
+                "bt709",
+                "-color_trc",
+                "iec61966-2-1",
+                "-c:v",
+                "libvpx-vp9",
+                "-crf",
+                "24",
+                "-b:v",
+                "0",
+                "-row-mt",
+                "1",
+                "-f",
+                "webm"};
     case FilmFormat::gif:
-        return {"-filter_complex", "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=bayer",
-                "-loop", "0", "-f", "gif"};
+        return {"-filter_complex",
+                "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=bayer",
+                "-loop",
+                "0",
+                "-f",
+                "gif"};
     default: return {"-c:v", "ffv1", "-pix_fmt", "gbrp", "-f", "matroska"};
     }
 }
@@ -176,10 +208,15 @@ struct Film::Encoder : Film::Sink {
         if (said < 0 || ::pipe2(ends.data(), O_CLOEXEC) != 0)
             throw Failure(fmt::format("cannot start ffmpeg: {}", std::strerror(errno)));
         to_child = ends[1];
-        std::vector<std::string> command = {
-            "ffmpeg", "-hide_banner", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s",
-            fmt::format("{}x{}", size.width, size.height), "-r", fmt::format("{}/{}", rate.frames, rate.seconds),
-            "-i", "pipe:0", "-fflags", "+bitexact", "-flags:v", "+bitexact"};
+        std::vector<std::string> command = {"ffmpeg",    "-hide_banner",
+                                            "-loglevel", "error",
+                                            "-f",        "rawvideo",
+                                            "-pix_fmt",  "rgb24",
+                                            "-s",        fmt::format("{}x{}", size.width, size.height),
+                                            "-r",        fmt::format("{}/{}", rate.frames, rate.seconds),
+                                            "-i",        "pipe:0",
+                                            "-fflags",   "+bitexact",
+                                            "-flags:v",  "+bitexact"};
         for (const std::string& argument : encoder_arguments(format)) command.push_back(argument);
         command.insert(command.end(), {"-y", "file:" + temporary});
         try {

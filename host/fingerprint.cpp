@@ -44,10 +44,10 @@ std::string Fingerprints::of_texels(const scene::Bytes& texels)
 std::string Fingerprints::of(const CompiledFrame& frame, Precision precision, StereoLayout layout, FileFormat format,
                              const EncodeOptions& encoding)
 {
-    std::string parts = fmt::format(
-        "clucida {} {} {} {} {} {} {}\n", CLUCIDA_VERSION, precision == Precision::twofold ? "double" : "float",
-        static_cast<int>(layout), static_cast<int>(format), static_cast<int>(encoding.transfer), encoding.depth,
-        encoding.quality);
+    std::string parts =
+        fmt::format("clucida {} {} {} {} {} {} {}\n", CLUCIDA_VERSION,
+                    precision == Precision::twofold ? "double" : "float", static_cast<int>(layout),
+                    static_cast<int>(format), static_cast<int>(encoding.transfer), encoding.depth, encoding.quality);
     for (const scene::Compiled& eye : frame.eyes) {
         parts += scene::build_options({eye.needs.features, 1, 0, 1, 8}) + "\n";
         for (std::size_t i = 0; i < BUFFER_COUNT; ++i) {
@@ -61,15 +61,15 @@ std::string Fingerprints::of(const CompiledFrame& frame, Precision precision, St
 std::string fingerprint_in(std::string_view bytes)
 {
     bytes = bytes.substr(0, head_bytes);
-    const std::string_view keyword = fingerprint_keyword;
-    const auto at = bytes.find(keyword);
-    if (at == std::string_view::npos) return {};
-    bytes.remove_prefix(at + keyword.size());
-    bytes.remove_prefix(std::min(bytes.find_first_not_of(std::string_view(": \0", 3)), bytes.size()));
-    const std::string_view digest = bytes.substr(0, digest_digits);
-    const bool is_digest = digest.size() == digest_digits &&
-                           digest.find_first_not_of("0123456789abcdef") == std::string_view::npos;
-    return is_digest ? std::string(digest) : std::string();
+    const std::string_view keyword = fingerprint_keyword, digits = "0123456789abcdef";
+    for (auto at = bytes.find(keyword); at != std::string_view::npos; at = bytes.find(keyword, at + 1)) {
+        std::string_view rest = bytes.substr(at + keyword.size());
+        rest.remove_prefix(std::min(rest.find_first_not_of(std::string_view(": \0", 3)), rest.size()));
+        const std::string_view digest = rest.substr(0, digest_digits);
+        if (digest.size() == digest_digits && digest.find_first_not_of(digits) == std::string_view::npos)
+            return std::string(digest);
+    }
+    return {};
 }
 
 bool is_same_picture(const std::string& file, const std::string& fingerprint)

@@ -122,9 +122,10 @@ FramePattern::FramePattern(const std::string& pattern)
         } else if (pattern[i] == '%') {
             const std::size_t end = pattern.find_first_not_of("0123456789", i + 1);
             if (end == std::string::npos || pattern[end] != 'd')
-                throw UsageError(fmt::format("'{}' has a '%' that is no %d or %04d; write %% for the sign itself", pattern));
+                throw UsageError(
+                    fmt::format("'{}' has a '%' that is no %d or %04d; write %% for the sign itself", pattern));
             const std::string digits = pattern.substr(i + 1, end - i - 1);
-            if (!digits.empty() && digits[0] != '0' )
+            if (!digits.empty() && digits[0] != '0')
                 throw UsageError(fmt::format("'{}' pads with blanks; write %0{}d", pattern, digits));
             number(digits.empty() ? 0 : long{whole_number(digits).value_or(most_digits + 1)});
             i = end + 1;

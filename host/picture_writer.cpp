@@ -165,7 +165,8 @@ struct PictureWriter::State {
     void finish()
     {
         if (format == FileFormat::png) append(png->finish());
-        if (format == FileFormat::jpeg) append(with_comment(encode_jpeg(width, height, jpeg, options.quality), kept_comment("", "")));
+        if (format == FileFormat::jpeg)
+            append(with_comment(encode_jpeg(width, height, jpeg, options.quality), kept_comment("", "")));
     }
 };
 

@@ -24,7 +24,8 @@ void add_target(FrameTargets& targets, const RenderOptions& o, const std::string
         if (targets.film) throw UsageError("--output names two films; expected one, and a picture's name besides");
         targets.film = FilmFile{file, *film};
     } else if (const auto format = file_format(name)) {
-        if (targets.files) throw UsageError("--output names the pictures twice; expected one name, and a film's besides");
+        if (targets.files)
+            throw UsageError("--output names the pictures twice; expected one name, and a film's besides");
         targets.files = FrameFiles{FramePattern(file), *format};
     } else if (file == "-") {
         targets.files = FrameFiles{FramePattern(file), FileFormat::png};
@@ -151,7 +152,7 @@ void print_json(const RenderOptions& o, const SequencePlan& plan, const Sequence
 FrameTargets frame_targets(const RenderOptions& o)
 {
     FrameTargets targets;
-    if (!o.frames.empty()) targets.named = parse_frames(o.frames, &targets.repeated);
+    if (o.frames) targets.named = parse_frames(*o.frames, &targets.repeated);
     targets.several = targets.named || !o.shard.empty() || o.dry_run || o.outputs.size() > 1;
     if (o.outputs.size() > 1 && !o.format_out.empty())
         throw UsageError("--format-out is for one --output; of several the endings say which format");
@@ -234,8 +235,8 @@ void render_frames(const RenderOptions& o, SceneSource source, const FrameTarget
     if (!o.quiet)
         fmt::print(stderr, "{} frame{} in {:.2f} s, {:.2f} frames/s, {} build{} of the kernels{}\n", report.rendered,
                    report.rendered == 1 ? "" : "s", report.seconds,
-                   static_cast<double>(report.rendered) / report.seconds, report.builds,
-                   report.builds == 1 ? "" : "s", job.film ? fmt::format("; {}", job.film->file) : "");
+                   static_cast<double>(report.rendered) / report.seconds, report.builds, report.builds == 1 ? "" : "s",
+                   job.film ? fmt::format("; {}", job.film->file) : "");
     const bool to_output = (job.film && job.film->file == "-") || (job.files && job.files->pattern.file(1) == "-");
     if (o.json) print_json(o, plan, report, std::move(frames), to_output);
 }

@@ -103,7 +103,9 @@ void add_stereo_options(CLI::App& command, RenderOptions& o)
 {
     command.add_option("--stereo", o.stereo, "for two eyes: pair (_L and _R), side-by-side, top-bottom or anaglyph")
         ->option_text("HOW");
-    command.add_option("--eye-separation", o.eye_separation, "in units of the scene; else a thirtieth of the screen's distance")
+    command
+        .add_option("--eye-separation", o.eye_separation,
+                    "in units of the scene; else a thirtieth of the screen's distance")
         ->check(number_within(0, 1e30))
         ->option_text("X");
     command

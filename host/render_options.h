@@ -18,11 +18,13 @@ struct RenderOptions {
     SceneOptions scene;
     std::vector<std::string> outputs, parameters; ///< parameters: NAME=VALUE
     std::string format_out, size = "640x360", tile, device, precision = "float", kernel = "auto";
-    std::string frames, shard, stereo;
+    std::optional<std::string> frames;
+    std::string shard, stereo;
     unsigned samples = 1, depth = 8, quality = 90, frame_count = 0, in_flight = 3;
     std::optional<unsigned> max_hops;
     std::optional<double> cutoff, eye_separation, screen_distance;
-    bool quiet = false, json = false, overwrite = false, skip_existing = false, no_kernel_cache = false, dry_run = false;
+    bool quiet = false, json = false, overwrite = false, skip_existing = false, no_kernel_cache = false,
+         dry_run = false;
 };
 
 void add_render_options(CLI::App& command, RenderOptions& options);

@@ -46,11 +46,11 @@ void require_different_files(const SequencePlan& plan)
 void plan_frame(const SequenceJob& job, const CompiledFrame& compiled, Fingerprints& fingerprints, PlannedFrame& out)
 {
     if (!job.files) return;
-    out.fingerprint = fingerprints.of(compiled, job.settings.precision, job.motion->stereo().layout, job.files->format,
-                                      job.encoding);
+    out.fingerprint =
+        fingerprints.of(compiled, job.settings.precision, job.motion->stereo().layout, job.files->format, job.encoding);
     out.kept = job.skip_existing && std::ranges::all_of(out.files, [&](const std::string& file) {
-        return is_same_picture(file, out.fingerprint);
-    });
+                   return is_same_picture(file, out.fingerprint);
+               });
 }
 
 scene::Needs needs_of(const CompiledFrame& compiled)
@@ -231,7 +231,7 @@ SequenceReport render_sequence(const SequenceJob& job, const SequencePlan& plan,
             united.needs = needs;
             Frame frame = render_frame(renderer, united, settings, {hooks.progress, hooks.cancelled, {}});
             needs = unite(needs, frame.needs); // a capacity that had to grow has grown for all
-            settings.tile = frame.tile; // measured once
+            settings.tile = frame.tile;        // measured once
             settings.kernel = frame.kernel;
             add(done.timings, frame.timings);
             add(done.statistics, frame.statistics);

@@ -67,13 +67,13 @@ struct SequenceReport {
     std::size_t rendered = 0;
     unsigned builds = 0; ///< of the kernels
     double seconds = 0;
-    Timings timings;     ///< of all frames
+    Timings timings; ///< of all frames
 };
 
 struct SequenceHooks {
-    std::function<void(double fraction)> progress = {};      ///< of the frame that is traced
-    std::function<bool()> cancelled = {};                    ///< asked between launches
-    std::function<void(const FrameReport&)> finished = {};   ///< from a thread of its own, in order
+    std::function<void(double fraction)> progress = {};    ///< of the frame that is traced
+    std::function<bool()> cancelled = {};                  ///< asked between launches
+    std::function<void(const FrameReport&)> finished = {}; ///< from a thread of its own, in order
 };
 
 /// @throws Failure, Interrupted; frames that were finished before are kept, a film is not

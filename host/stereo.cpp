@@ -21,8 +21,8 @@ StereoLayout parse_stereo(const std::string& name)
     if (name == "side-by-side") return StereoLayout::side_by_side;
     if (name == "top-bottom") return StereoLayout::top_bottom;
     if (name == "anaglyph") return StereoLayout::anaglyph;
-    throw UsageError(fmt::format("--stereo: '{}' is no kind of pair; expected pair, side-by-side, top-bottom or anaglyph",
-                                 name));
+    throw UsageError(
+        fmt::format("--stereo: '{}' is no kind of pair; expected pair, side-by-side, top-bottom or anaglyph", name));
 }
 
 std::vector<scene::View> eyes_of(const Stereo& stereo, const scene::Scene& scene, const scene::View& view)

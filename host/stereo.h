@@ -17,8 +17,9 @@ enum class StereoLayout { none, pair, side_by_side, top_bottom, anaglyph };
 
 struct Stereo {
     StereoLayout layout = StereoLayout::none;
-    std::optional<double> separation; ///< between the eyes, units of the scene; else a thirtieth of the screen's distance
-    std::optional<double> screen;     ///< its distance from the eyes; else that of the point looked at
+    std::optional<double>
+        separation;               ///< between the eyes, units of the scene; else a thirtieth of the screen's distance
+    std::optional<double> screen; ///< its distance from the eyes; else that of the point looked at
 };
 
 /// "pair", "side-by-side", "top-bottom", "anaglyph", or empty for none. @throws UsageError

@@ -87,8 +87,8 @@ private:
     std::size_t settings_line_ = 0, sequence_line_ = 0, observer_line_ = 0, sky_line_ = 0;
 };
 
-const std::vector<std::string_view> statements{"let", "parameter", "settings", "sequence", "observer", "sky",
-                                               "light", "solid", "optics", "texture", "object"};
+const std::vector<std::string_view> statements{"let",   "parameter", "settings", "sequence", "observer", "sky",
+                                               "light", "solid",     "optics",   "texture",  "object"};
 
 Scene Reader::read()
 {

@@ -111,7 +111,8 @@ TEST(Films, Y4mHoldsWhatWasAdded)
     const std::string bytes = text.str(), header = bytes.substr(0, bytes.find('\n') + 1);
     EXPECT_EQ(header, "YUV4MPEG2 W2 H1 F24:1 Ip A1:1 C444 XCOLORRANGE=LIMITED\n");
     // White, black; then red and blue: Rec. ITU-R BT.709-6, 3.2 to 3.4.
-    const std::string frames = "FRAME\n\xEB\x10\x80\x80\x80\x80" "FRAME\n\x3F\x20\x66\xF0\xF0\x76";
+    const std::string frames = "FRAME\n\xEB\x10\x80\x80\x80\x80"
+                               "FRAME\n\x3F\x20\x66\xF0\xF0\x76";
     EXPECT_EQ(bytes.substr(header.size()), frames);
     std::filesystem::remove(file);
 }
@@ -148,8 +149,8 @@ TEST(Stereo, PicturesAreComposed)
     const Picture left = filled(2, 2, 0), right = filled(2, 2, 100);
     const Picture beside = compose(StereoLayout::side_by_side, {left, right});
     EXPECT_EQ(beside.width, 4U);
-    EXPECT_EQ(beside.rgb, (std::vector<float>{0, 1, 2, 3, 4, 5, 100, 101, 102, 103, 104, 105, 6, 7, 8, 9, 10, 11, 106,
-                                              107, 108, 109, 110, 111}));
+    EXPECT_EQ(beside.rgb, (std::vector<float>{0, 1, 2, 3, 4,  5,  100, 101, 102, 103, 104, 105,
+                                              6, 7, 8, 9, 10, 11, 106, 107, 108, 109, 110, 111}));
     const Picture above = compose(StereoLayout::top_bottom, {left, right});
     EXPECT_EQ(above.height, 4U);
     EXPECT_TRUE(std::equal(left.rgb.begin(), left.rgb.end(), above.rgb.begin()));
