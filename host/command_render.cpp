@@ -92,7 +92,6 @@ void run(RenderOptions o)
 {
     const Stopwatch total;
     settings_of(o); // what is wrong with the options is said before the scene is read
-    o.scene.moment = moment_of(o);
     const FrameTargets targets = frame_targets(o);
     if (targets.named) o.scene.moment.frame = targets.named->front();
     const std::string stem = o.scene.file == "-" ? "picture" : std::filesystem::path(o.scene.file).stem().string();

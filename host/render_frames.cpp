@@ -171,7 +171,7 @@ FrameTargets frame_targets(const RenderOptions& o)
 bool is_sequence(const FrameTargets& targets, const scene::Sequence& sequence, const RenderOptions& o)
 {
     const bool numbered = targets.files && targets.files->pattern.has_number();
-    return targets.several || (numbered && (sequence.frames > 1 || o.frame_count > 1));
+    return targets.several || (numbered && (sequence.frames > 1 || o.scene.moment.frames > 1));
 }
 
 void render_frames(const RenderOptions& o, SceneSource source, const FrameTargets& targets)
@@ -183,7 +183,7 @@ void render_frames(const RenderOptions& o, SceneSource source, const FrameTarget
         const std::string ending = o.format_out.empty() ? "png" : o.format_out;
         job.files = FrameFiles{FramePattern(source.stem + "." + ending), file_format(ending).value_or(FileFormat::png)};
     }
-    const unsigned total = o.frame_count ? o.frame_count : source.scene.sequence.frames;
+    const unsigned count = o.scene.moment.frames, total = count ? count : source.scene.sequence.frames;
     job.frames = frames_of(targets, total, o);
     job.settings = settings_of(o);
     job.fps = source.scene.sequence.fps;

@@ -4,7 +4,6 @@
 #include "host/commands.h"
 #include "host/errors.h"
 #include "host/film.h"
-#include "scene/limits.h"
 
 #include <fmt/format.h>
 
@@ -20,8 +19,8 @@ std::string canonical_command(const RenderOptions& o, const std::string& scene)
     if (o.cutoff) out += fmt::format(" --cutoff {}", *o.cutoff);
     if (!o.scene.format.empty()) out += " --format " + o.scene.format;
     if (o.scene.as_original) out += " --as-original";
-    if (o.frame_count) out += fmt::format(" --frame-count {}", o.frame_count);
-    for (const std::string& parameter : o.parameters) out += " --set " + parameter;
+    if (o.scene.moment.frames) out += fmt::format(" --frame-count {}", o.scene.moment.frames);
+    for (const std::string& parameter : o.scene.parameters) out += " --set " + parameter;
     if (!o.stereo.empty()) out += " --stereo " + o.stereo;
     if (o.eye_separation) out += fmt::format(" --eye-separation {}", *o.eye_separation);
     if (o.screen_distance) out += fmt::format(" --screen-distance {}", *o.screen_distance);
@@ -80,14 +79,6 @@ void add_sequence_options(CLI::App& command, RenderOptions& o)
 {
     command.add_option("--frames", o.frames, "which: 1-10,20-100x5,7; else all of a film's, or one")
         ->option_text("LIST");
-    command
-        .add_option("--frame-count", o.frame_count,
-                    "of the whole sequence, over which the scene's t goes from 0 to 1; else as the scene says")
-        ->check(number_within(1, scene::limits::frames))
-        ->option_text("N");
-    command.add_option("--set", o.parameters, "another value for a parameter of the scene; any number of times")
-        ->option_text("NAME=VALUE")
-        ->allow_extra_args(false);
     command.add_option("--shard", o.shard, "of N machines that share the frames this is the I-th: every N-th frame")
         ->option_text("I/N");
     command.add_flag("--dry-run", o.dry_run, "say which frames would be rendered, and into which files");
@@ -126,20 +117,6 @@ void add_render_options(CLI::App& command, RenderOptions& o)
     add_tracing_options(command, o);
     command.add_flag("-q,--quiet", o.quiet, "print errors and warnings only");
     command.add_flag("--json", o.json, "statistics and times as JSON on standard output (standard error with -o -)");
-}
-
-scene::Moment moment_of(const RenderOptions& o)
-{
-    scene::Moment moment;
-    moment.frames = o.frame_count;
-    for (const std::string& text : o.parameters) {
-        const auto equals = text.find('=');
-        if (equals == 0 || equals == std::string::npos)
-            throw UsageError(fmt::format("--set: '{}' is no NAME=VALUE", text));
-        if (!moment.parameters.emplace(text.substr(0, equals), text.substr(equals + 1)).second)
-            throw UsageError(fmt::format("--set gives '{}' twice", text.substr(0, equals)));
-    }
-    return moment;
 }
 
 RenderSettings settings_of(const RenderOptions& o)

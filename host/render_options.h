@@ -16,11 +16,11 @@ namespace clucida::host {
 
 struct RenderOptions {
     SceneOptions scene;
-    std::vector<std::string> outputs, parameters; ///< parameters: NAME=VALUE
+    std::vector<std::string> outputs;
     std::string format_out, size = "640x360", tile, device, precision = "float", kernel = "auto";
     std::optional<std::string> frames;
     std::string shard, stereo;
-    unsigned samples = 1, depth = 8, quality = 90, frame_count = 0, in_flight = 3;
+    unsigned samples = 1, depth = 8, quality = 90, in_flight = 3;
     std::optional<unsigned> max_hops;
     std::optional<double> cutoff, eye_separation, screen_distance;
     bool quiet = false, json = false, overwrite = false, skip_existing = false, no_kernel_cache = false,
@@ -28,9 +28,6 @@ struct RenderOptions {
 };
 
 void add_render_options(CLI::App& command, RenderOptions& options);
-
-/// What the options say of the scene's moment. @throws UsageError
-scene::Moment moment_of(const RenderOptions& o);
 
 /// @throws UsageError
 RenderSettings settings_of(const RenderOptions& o);

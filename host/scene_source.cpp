@@ -36,6 +36,13 @@ scene::ReadOptions read_options(const SceneOptions& options)
     read.format = format_of_name(options.format);
     if (!options.allow_path.empty()) read.allow_path = options.allow_path;
     read.moment = options.moment;
+    for (const std::string& text : options.parameters) {
+        const auto equals = text.find('=');
+        if (equals == 0 || equals == std::string::npos) throw UsageError("--set: '" + text + "' is no NAME=VALUE");
+        const std::string name = text.substr(0, equals);
+        if (!read.moment.parameters.emplace(name, text.substr(equals + 1)).second)
+            throw UsageError("--set gives '" + name + "' twice");
+    }
     return read;
 }
 

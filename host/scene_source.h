@@ -5,6 +5,7 @@
 #include "scene/read.h"
 
 #include <string>
+#include <vector>
 
 namespace clucida::host {
 
@@ -14,7 +15,8 @@ struct SceneOptions {
     std::string format;     ///< "clucida", "gun", "rayt", or empty: by the ending
     std::string allow_path; ///< photographs may lie beneath this folder too; or empty
     bool as_original = false;
-    scene::Moment moment; ///< which frame of the scene, with which parameters
+    std::vector<std::string> parameters; ///< NAME=VALUE, for those of the scene; moment's are made of them
+    scene::Moment moment;                ///< which frame of the scene
 };
 
 struct SceneSource {
