@@ -30,7 +30,8 @@ struct Options {
 
 struct Eyes {
     host::Renderer renderer;
-    std::vector<cl::Kernel> kernels; ///< of each eye, its buffers set
+    std::vector<host::DeviceBuffers> buffers; ///< of each eye; kernels do not keep them
+    std::vector<cl::Kernel> kernels;          ///< with these set
     cl::Buffer tile, stats;
     host::Shape picture, block, items;
     std::size_t shared = 0, bytes = 0; ///< of an eye's buffers: bytes that both have in common, and all
@@ -63,7 +64,7 @@ Eyes prepare(const std::string& file, const host::Device& device, const Options&
     const bool packets = done.kernel == host::KernelShape::packets;
     eyes.block = packets ? host::Shape{32, 32} : host::Shape{1, 1};
     eyes.items = packets ? host::Shape{1, 1} : host::Shape{8, 8};
-    std::vector<host::DeviceBuffers> buffers;
+    auto& buffers = eyes.buffers;
     for (const scene::Compiled& eye : frame.eyes) {
         buffers.push_back(host::upload(eyes.renderer, eye.buffers));
         cl::Kernel kernel(eyes.renderer.program.handle, "render");
