@@ -73,6 +73,7 @@ void render_still(const RenderOptions& o, SceneSource source, const Output& outp
 
     Renderer renderer = make_renderer(device);
     stages.context = watch.lap();
+    if (output.file != "-") remove_leftovers({output.file});
     OutputStream stream(output, settings.picture, encoding);
     Frame frame;
     {

@@ -181,6 +181,7 @@ struct Film::Stream : Film::Sink {
 /// ffmpeg as a child, which reads frames from a pipe and writes a temporary file beside the film's own.
 struct Film::Encoder : Film::Sink {
     std::string name, temporary;
+    int file = -1;                ///< the temporary one, held so that it counts as in use
     int to_child = -1, said = -1; ///< said: what it prints
     pid_t child = -1;
 
@@ -189,9 +190,9 @@ struct Film::Encoder : Film::Sink {
         require_writable(name);
         const std::filesystem::path path(name);
         temporary = (path.parent_path() / fmt::format(".{}.XXXXXX", path.filename().string())).string();
-        const int file = ::mkostemp(temporary.data(), O_CLOEXEC);
+        file = ::mkostemp(temporary.data(), O_CLOEXEC);
         if (file < 0) throw Failure(fmt::format("cannot write {}: {}", name, std::strerror(errno)));
-        ::close(file);
+        mark_in_use(file);
         try {
             start(format, size, rate);
         } catch (...) {
@@ -277,6 +278,7 @@ struct Film::Encoder : Film::Sink {
         }
         if (to_child >= 0) ::close(std::exchange(to_child, -1));
         if (said >= 0) ::close(std::exchange(said, -1));
+        if (file >= 0) ::close(std::exchange(file, -1));
         if (!temporary.empty()) ::unlink(temporary.c_str());
     }
 };

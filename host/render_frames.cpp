@@ -69,6 +69,16 @@ void require_folders(const SequencePlan& plan)
     }
 }
 
+std::vector<std::filesystem::path> files_to_write(const SequencePlan& plan, const SequenceJob& job)
+{
+    std::vector<std::filesystem::path> files;
+    for (const PlannedFrame& frame : plan.frames)
+        for (const std::string& file : frame.files)
+            if (file != "-") files.emplace_back(file);
+    if (job.film && job.film->file != "-") files.emplace_back(job.film->file);
+    return files;
+}
+
 std::string described(const PlannedFrame& frame)
 {
     std::string files;
@@ -217,6 +227,7 @@ void render_frames(const RenderOptions& o, SceneSource source, const FrameTarget
         fmt::print(stderr, "clucida: note: the scene depends neither on t nor on frame; all pictures are the same\n");
     if (!o.quiet && plan.kept) fmt::print(stderr, "{} of {} frames are kept\n", plan.kept, plan.frames.size());
 
+    remove_leftovers(files_to_write(plan, job));
     Renderer renderer;
     if (todo > 0) renderer = make_renderer(device_of(o));
     for (auto& [keyword, text] : job.encoding.metadata)

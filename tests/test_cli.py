@@ -319,7 +319,8 @@ class Cli(unittest.TestCase):
                 self.assertEqual(code, 0)
                 self.assertLess(large - small, 40 << 20)
         with open(self.path("a.ppm"), "rb") as file:
-            self.assertEqual(len(file.read()), len(f"P6\n{side} {side}\n255\n") + side * side * 3)
+            comment = len("# Fingerprint: \n") + 64
+            self.assertEqual(len(file.read()), len(f"P6\n{side} {side}\n255\n") + comment + side * side * 3)
 
     def test_an_interrupt_ends_with_130_and_leaves_no_file(self):
         self.render("-o", "warm.png")  # so that the kernel is compiled

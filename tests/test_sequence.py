@@ -204,8 +204,12 @@ class Sequences(unittest.TestCase):
             for name, digest in digests(self.folder / "f").items():
                 self.assertEqual(digest, expected[name], "a frame that is there is not whole")
         self.assertGreater(kills, 2)
+        (self.folder / "f/.1.png.abcdef").write_bytes(b"as if it had been killed while it wrote")
+        (self.folder / "f/.other.abcdef").write_bytes(b"another's")
         self.render(*command, size="160x90")
         self.assertEqual(digests(self.folder / "f"), expected)
+        self.assertEqual(self.names(), sorted([*expected, ".other.abcdef"]), "something was left behind")
+        (self.folder / "f/.other.abcdef").unlink()
 
     def test_an_interrupt_keeps_what_is_finished(self):
         process = self.start("-o", "f/%d.png", "--samples", "64", size="320x180")
