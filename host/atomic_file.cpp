@@ -170,10 +170,12 @@ void PendingFile::commit()
         if (!to.close()) fail("cannot write", s.file.string());
         return;
     }
-    if (::fchmod(s.out.get(), usual_mode()) != 0 || ::fsync(s.out.get()) != 0 || !s.out.close() ||
+    // Renamed before it is closed, for until then it counts as in use.
+    if (::fchmod(s.out.get(), usual_mode()) != 0 || ::fsync(s.out.get()) != 0 ||
         ::rename(s.name.c_str(), s.target.c_str()) != 0)
         fail("cannot write", s.file.string());
     s.temporary.keep();
+    if (!s.out.close()) fail("cannot write", s.file.string());
 }
 
 void mark_in_use(int descriptor)
@@ -193,7 +195,7 @@ void remove_leftovers(const std::vector<fs::path>& files)
             const std::string name = entry.path().filename().string();
             if (name.size() <= random_letters + 1 || name[name.size() - random_letters - 1] != '.') continue;
             if (!known.contains(name.substr(0, name.size() - random_letters - 1))) continue;
-            const Descriptor leftover(::open(entry.path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
+            const Descriptor leftover(::open(entry.path().c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW));
             if (leftover.get() >= 0 && ::flock(leftover.get(), LOCK_EX | LOCK_NB) == 0) ::unlink(entry.path().c_str());
         }
     }

@@ -15,8 +15,8 @@ struct SceneOptions {
     std::string format;     ///< "clucida", "gun", "rayt", or empty: by the ending
     std::string allow_path; ///< photographs may lie beneath this folder too; or empty
     bool as_original = false;
-    std::vector<std::string> parameters; ///< NAME=VALUE, for those of the scene; moment's are made of them
-    scene::Moment moment;                ///< which frame of the scene
+    std::vector<std::string> parameters = {}; ///< NAME=VALUE, for those of the scene; moment's are made of them
+    scene::Moment moment = {};                ///< which frame of the scene
 };
 
 struct SceneSource {

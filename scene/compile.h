@@ -33,7 +33,7 @@ struct View {
     std::optional<unsigned> max_hops; ///< 1..1000000
     std::optional<double> cutoff;     ///< 0..1
     AsOriginal as_original = AsOriginal::none;
-    std::optional<Eye> eye; ///< of a stereo pair
+    std::optional<Eye> eye = {}; ///< of a stereo pair
 };
 
 /// What a vector held, as bytes and without a copy: a million objects are some hundred MiB.

@@ -31,9 +31,9 @@ struct Usage {
 };
 
 struct ReadOptions {
-    Moment moment;
     std::optional<Format> format;                    ///< else by the ending
     std::optional<std::filesystem::path> allow_path; ///< photographs may also lie beneath this folder
+    Moment moment = {};
 };
 
 /// Reads the text of a scene. file names it in errors; photographs resolve beneath folder.
