@@ -6,6 +6,7 @@ temporary folder, and all that it started ends with it.
 
 from __future__ import annotations
 
+import atexit
 import contextlib
 import ctypes
 import os
@@ -15,7 +16,7 @@ import socket
 import subprocess
 import tempfile
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 PACKAGES = {"munged": "munge", "slurmctld": "slurmctld", "slurmd": "slurmd", "sbatch": "slurm-client"}
@@ -47,6 +48,8 @@ SelectTypeParameters=CR_CPU
 SlurmdParameters=config_overrides
 SchedulerParameters=batch_sched_delay=0,sched_min_interval=0
 KillWait=2
+# Only jobs that ask for it start again when their node is lost.
+JobRequeue=0
 ReturnToService=2
 NodeName=node1 NodeHostname={host} NodeAddr=127.0.0.1 Port={ports[1]} CPUs=1
 NodeName=node2 NodeHostname={host} NodeAddr=127.0.0.1 Port={ports[2]} CPUs=1
@@ -110,6 +113,7 @@ class Cluster:
         require(PACKAGES)
         self.daemons: dict[str, subprocess.Popen[bytes]] = {}
         self.folder = Path(tempfile.mkdtemp(prefix="clucida-slurm-"))
+        atexit.register(self.stop)
         try:
             self._start()
         except BaseException:
@@ -151,7 +155,7 @@ class Cluster:
         with (self.folder / f"{name}.out").open("ab") as out:
             self.daemons[name] = subprocess.Popen(
                 [path_of(command[0]) or command[0], *command[1:]],
-                env={**self.environment, "CLUCIDA_TEST_DAEMON": name},
+                env={**self.environment, "CLUCIDA_TEST_DAEMON": f"{self.folder}/{name}"},
                 cwd=self.folder,
                 stdin=subprocess.DEVNULL,
                 stdout=out,
@@ -189,8 +193,9 @@ class Cluster:
 
     def lose_node(self, node: str) -> None:
         """As if its power failed: everything on it is killed. The controller is told what it finds out in minutes."""
-        kill(processes_with(f"CLUCIDA_TEST_DAEMON={node}"))
-        kill([p for p in processes_with(f"SLURMD_NODENAME={node}") if p in processes_with(self.mark)])
+        kill(processes_with(f"CLUCIDA_TEST_DAEMON={self.folder}/{node}"))  # of this cluster: tests may run side by side
+        ours = processes_with(self.mark)
+        kill([p for p in processes_with(f"SLURMD_NODENAME={node}") if p in ours])
         self.daemons.pop(node).wait()
         self.command("scontrol", "update", f"NodeName={node}", "State=DOWN", "Reason=lost")
 
@@ -231,13 +236,4 @@ class Cluster:
                     daemon.poll()
                 time.sleep(0.01)
             shutil.rmtree(self.folder)
-
-
-@contextlib.contextmanager
-def cluster() -> Iterator[Cluster]:
-    """A cluster for as long as the block lasts."""
-    started = Cluster()
-    try:
-        yield started
-    finally:
-        started.stop()
+            atexit.unregister(self.stop)

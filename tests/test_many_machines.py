@@ -1,4 +1,4 @@
-"""One film by many machines: a real Slurm on loopback, GNU parallel. test_many_machines.py PATH-OF-CLUCIDA [TEST ...]"""
+"""One film by many machines: Slurm on loopback, GNU parallel. test_many_machines.py PATH-OF-CLUCIDA [TEST ...]"""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import unittest
 from pathlib import Path
 from typing import ClassVar
 
-from slurm_cluster import Cluster, kill, path_of, processes_with, require, wait_for
+from slurm_cluster import PACKAGES, Cluster, kill, path_of, processes_with, require, wait_for
 
 PROGRAM = str(Path(sys.argv.pop(1)).absolute()) if len(sys.argv) > 1 else "clucida"
 SCRIPT = str(Path(__file__).absolute().parent.parent / "scripts" / "render_array.sbatch")
@@ -49,7 +49,7 @@ class ManyMachines(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls) -> None:
-        require({"parallel": "parallel"})
+        require({**PACKAGES, "parallel": "parallel"})
         cls.cluster = Cluster()
         cls.addClassCleanup(cls.cluster.stop)
         # What a single process makes of it.
