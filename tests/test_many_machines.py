@@ -103,8 +103,10 @@ class ManyMachines(unittest.TestCase):
         return {name: (self.frames / name).stat().st_mtime_ns for name in self.there()}
 
     def check_whole(self, settings: tuple[str, ...]) -> None:
+        self.assertEqual(
+            sorted(p.name for p in self.frames.iterdir()), NAMES, "missing, or left behind by a killed process"
+        )
         found = self.there()
-        self.assertEqual(sorted(found), NAMES)
         for name in NAMES:
             self.assertTrue(found[name] == self.expected[settings][name], f"{name} differs from a single process'")
 
@@ -128,7 +130,6 @@ class ManyMachines(unittest.TestCase):
         written = {i: sorted(frames_written(self.log(job, i))) for i in tasks}
         self.assertEqual(written, {i: share_of(i, 3) for i in (1, 2, 3)})
         self.check_whole(QUICK)
-        self.assertEqual(sorted(p.name for p in self.frames.iterdir()), NAMES, "something was left behind")
 
     def test_a_killed_tasks_frames_are_redone_by_the_same_command(self) -> None:
         job = self.submit("1-2", SLOW)
