@@ -13,3 +13,7 @@ set_tests_properties(test_cli PROPERTIES TIMEOUT 600)
 add_test(NAME test_sequence COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/test_sequence.py
          $<TARGET_FILE:clucida>)
 set_tests_properties(test_sequence PROPERTIES TIMEOUT 600)
+# A real Slurm on loopback, and GNU parallel: half a minute.
+add_test(NAME test_many_machines COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/test_many_machines.py
+         $<TARGET_FILE:clucida>)
+set_tests_properties(test_many_machines PROPERTIES TIMEOUT 600)
