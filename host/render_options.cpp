@@ -49,32 +49,6 @@ void add_picture_options(CLI::App& command, RenderOptions& o)
         ->excludes(overwrite);
 }
 
-void add_tracing_options(CLI::App& command, RenderOptions& o)
-{
-    command.add_option("--samples", o.samples, "of each pixel")
-        ->check(number_within(1, 1U << 20))
-        ->option_text("N")
-        ->capture_default_str();
-    command.add_option("--max-hops", o.max_hops, "surfaces that a ray may meet; else the scene's")
-        ->check(number_within(1, 1000000))
-        ->option_text("N");
-    command.add_option("--cutoff", o.cutoff, "rays of less weight end; 0 to 1, else the scene's")
-        ->check(number_within(0, 1))
-        ->option_text("X");
-    command.add_option("--precision", o.precision, "float or double")
-        ->check(CLI::IsMember({"float", "double"}))
-        ->option_text("NAME");
-    command
-        .add_option("--kernel", o.kernel,
-                    "pixels (a work-item each, for GPUs), packets (of eight rays, for CPUs), or auto: as the device is")
-        ->check(CLI::IsMember({"auto", "pixels", "packets"}))
-        ->option_text("NAME");
-    command.add_option("--device", o.device, "P:D (see `clucida devices`), a part of a name, cpu or gpu")
-        ->option_text("WHICH");
-    command.add_option("--tile", o.tile, "the shape of a launch; else measured")->option_text("WxH");
-    command.add_flag("--no-kernel-cache", o.no_kernel_cache, "compile anew, keep nothing");
-}
-
 void add_sequence_options(CLI::App& command, RenderOptions& o)
 {
     command.add_option("--frames", o.frames, "which: 1-10,20-100x5,7; else all of a film's, or one")
@@ -107,6 +81,32 @@ void add_stereo_options(CLI::App& command, RenderOptions& o)
 }
 
 } // namespace
+
+void add_tracing_options(CLI::App& command, RenderOptions& o)
+{
+    command.add_option("--samples", o.samples, "of each pixel")
+        ->check(number_within(1, 1U << 20))
+        ->option_text("N")
+        ->capture_default_str();
+    command.add_option("--max-hops", o.max_hops, "surfaces that a ray may meet; else the scene's")
+        ->check(number_within(1, 1000000))
+        ->option_text("N");
+    command.add_option("--cutoff", o.cutoff, "rays of less weight end; 0 to 1, else the scene's")
+        ->check(number_within(0, 1))
+        ->option_text("X");
+    command.add_option("--precision", o.precision, "float or double")
+        ->check(CLI::IsMember({"float", "double"}))
+        ->option_text("NAME");
+    command
+        .add_option("--kernel", o.kernel,
+                    "pixels (a work-item each, for GPUs), packets (of eight rays, for CPUs), or auto: as the device is")
+        ->check(CLI::IsMember({"auto", "pixels", "packets"}))
+        ->option_text("NAME");
+    command.add_option("--device", o.device, "P:D (see `clucida devices`), a part of a name, cpu or gpu")
+        ->option_text("WHICH");
+    command.add_option("--tile", o.tile, "the shape of a launch; else measured")->option_text("WxH");
+    command.add_flag("--no-kernel-cache", o.no_kernel_cache, "compile anew, keep nothing");
+}
 
 void add_render_options(CLI::App& command, RenderOptions& o)
 {

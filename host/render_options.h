@@ -28,6 +28,8 @@ struct RenderOptions {
 };
 
 void add_render_options(CLI::App& command, RenderOptions& options);
+/// Those of them that say how rays are traced, and on which device.
+void add_tracing_options(CLI::App& command, RenderOptions& options);
 
 /// @throws UsageError
 RenderSettings settings_of(const RenderOptions& o);
