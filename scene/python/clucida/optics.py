@@ -60,5 +60,11 @@ def blend(a: Optics, b: Optics, x: float) -> Optics:
         pairs = zip(color(getattr(a, field), field), color(getattr(b, field), field))
         return [p * (1 - x) + q * x for p, q in pairs]
 
-    filters = {field: mix(field) for field in ("reflection", "absorption", "refraction", "passthrough")}
-    return Optics(index=a.index * (1 - x) + b.index * x, fresnel=a.fresnel, **filters)
+    return Optics(
+        reflection=mix("reflection"),
+        absorption=mix("absorption"),
+        index=a.index * (1 - x) + b.index * x,
+        refraction=mix("refraction"),
+        passthrough=mix("passthrough"),
+        fresnel=a.fresnel,
+    )

@@ -40,8 +40,8 @@ class Picture:
         """height x width x 3, uint8 or float32. Needs numpy."""
         import numpy
 
-        kind = numpy.uint8 if self.bits == 8 else numpy.dtype("<f4")
-        return numpy.frombuffer(self.data, kind).reshape(self.height, self.width, self.channels)
+        flat: numpy.ndarray[Any, Any] = numpy.frombuffer(self.data, "u1" if self.bits == 8 else "<f4")
+        return flat.reshape(self.height, self.width, self.channels)
 
     def __array__(self, dtype: Any = None, copy: Any = None) -> numpy.ndarray[Any, Any]:
         out = self.array()

@@ -221,5 +221,6 @@ def regular(name: str, center: VectorLike = (0, 0, 0), radius: float = 1.0, upri
     if axis.length() > 1e-12:
         solid = solid.rotate(axis, math.degrees(math.atan2(axis.length(), first.dot(up))))
     elif first.dot(up) < 0:
-        solid = solid.rotate(first.cross((1, 0, 0)) if abs(first.dot((1, 0, 0))) < 0.9 else first.cross((0, 1, 0)), 180)
+        aside = (0, 1, 0) if abs(up.dot((1, 0, 0))) > 0.9 else (1, 0, 0)
+        solid = solid.rotate(up.cross(aside), 180)
     return solid.move(center)

@@ -9,7 +9,7 @@ from .optics import Optics
 from .solids import Solid
 from .surroundings import Light, Observer, Sky, SkyColor, SkyGradient, SkyHsv, SkyPhotograph, SkyRgb, Window
 from .textures import Texture
-from .values import Number, choice, name, number, whole, within
+from .values import Formula, Number, choice, name, number, whole, within
 from .vectors import VectorLike, vector
 
 if TYPE_CHECKING:
@@ -101,10 +101,10 @@ class Scene:
         object.__setattr__(self, "lights", _all(self.lights, Light, "lights"))
         for key, value in self.parameters.items():
             name(key, "a parameter's name")
-            if isinstance(value, (tuple, list)):
+            if isinstance(value, (int, float, Formula)):
+                number(value, "a parameter")
+            else:
                 vector(value, "a parameter")
-            elif not hasattr(value, "__iter__"):
-                number(value, "a parameter")  # type: ignore[arg-type]
         if self.folder is not None:
             object.__setattr__(self, "folder", str(self.folder))
 
