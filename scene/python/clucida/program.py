@@ -311,7 +311,7 @@ def canonical(scene: Union[Scene, str]) -> str:
     return done.stdout.decode()
 
 
-def main() -> int:
+def run_program() -> int:
     """Runs the program with this process's arguments."""
     try:
         program = find_program()
