@@ -162,7 +162,7 @@ def test_the_package_needs_no_numpy() -> None:
 
 
 def unpacked(png: bytes) -> bytes:
-    """The samples of a PNG file of bytes whose rows are unfiltered or differences to the left."""
+    """The samples of a PNG file of bytes, whose rows are plain or filtered by the left, the upper or by both neighbours."""
     assert png[:8] == b"\x89PNG\r\n\x1a\n"
     at, packed, width, height = 8, b"", 0, 0
     while at < len(png):
@@ -174,14 +174,15 @@ def unpacked(png: bytes) -> bytes:
         if kind == b"IDAT":
             packed += body
         at += 12 + size
-    data, out = zlib.decompress(packed), bytearray()
+    data, stride, out = zlib.decompress(packed), 3 * width, bytearray()
     for y in range(height):
-        row = data[y * (3 * width + 1) : (y + 1) * (3 * width + 1)]
-        before = [0, 0, 0]
-        for x in range(3 * width):
-            value = (row[1 + x] + (before[x % 3] if row[0] == 1 else 0)) & 255
-            before[x % 3] = value
-            out.append(value)
+        kind_of_row, row = data[y * (stride + 1)], data[y * (stride + 1) + 1 : (y + 1) * (stride + 1)]
+        for x in range(stride):
+            left, up = out[-3] if x >= 3 else 0, out[-stride] if y > 0 else 0
+            corner = out[-stride - 3] if x >= 3 and y > 0 else 0
+            nearest = min((left, up, corner), key=lambda n: abs(n - (left + up - corner)))
+            predicted = (0, left, up, (left + up) // 2, nearest)[kind_of_row]
+            out.append((row[x] + predicted) & 255)
     return bytes(out)
 
 

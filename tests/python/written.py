@@ -29,7 +29,7 @@ class Written:
 
 
 def number(x: float) -> str:
-    return f"({x:.17g})"
+    return f"({x + 0.0:.17g})"  # no -0
 
 
 def vector(v: Tuple[float, ...]) -> str:
@@ -92,7 +92,7 @@ def joined(sign: str, parts: Tuple[Written, ...]) -> Written:
 
 
 def _composed(of: st.SearchStrategy[Written]) -> st.SearchStrategy[Written]:
-    several = st.lists(of, min_size=2, max_size=3).map(tuple)
+    several = st.lists(of, min_size=2, max_size=3).map(lambda parts: tuple(parts))
     return st.one_of(
         st.builds(joined, st.sampled_from("&|"), several),
         st.builds(lambda a, b: Written(a.solid - b.solid, f"({a.text}) - ({b.text})", "-"), of, of),

@@ -11,7 +11,7 @@ import sys
 import time
 from dataclasses import dataclass
 from pathlib import Path
-from typing import IO, Callable, Dict, Iterable, Iterator, List, Optional, Sequence, Sized, Union
+from typing import IO, Any, Callable, Dict, Iterable, Iterator, List, Optional, Sequence, Sized, Union
 
 from .picture import Picture
 from .program import RenderError, RenderOptions, Stream, render
@@ -116,14 +116,14 @@ Scenes = Union[Animation, Iterable[Scene]]
 
 
 def sequence(
-    scenes: Scenes, frames: Optional[Sequence[int]] = None, progress: Optional[bool] = None, **options: object
+    scenes: Scenes, frames: Optional[Sequence[int]] = None, progress: Optional[bool] = None, **options: Any
 ) -> Iterator[Picture]:
     """The pictures of an animation's frames, or of any scenes, one after the other through one process.
 
     frames: of an animation which, counted from 1; else all. progress: True or False; else a bar where standard error
     is a terminal. Options are those of RenderOptions. Nothing is rendered before the first picture is asked for.
     """
-    RenderOptions(**options)  # type: ignore[arg-type]  # what is wrong is said now
+    RenderOptions(**options)  # what is wrong is said now
     chosen = _chosen(scenes, frames)
     total = len(scenes) if frames is None and isinstance(scenes, Sized) else len(frames or ())
     return _pictures(chosen, Progress(total, progress), options)
@@ -139,7 +139,7 @@ def _chosen(scenes: Scenes, frames: Optional[Sequence[int]]) -> Iterator[Scene]:
     return map(scenes.frame, frames)
 
 
-def _pictures(scenes: Iterator[Scene], progress: Progress, options: Dict[str, object]) -> Iterator[Picture]:
+def _pictures(scenes: Iterator[Scene], progress: Progress, options: Dict[str, Any]) -> Iterator[Picture]:
     first = next(scenes, None)
     if first is None:
         return
@@ -156,7 +156,7 @@ def write_sequence(
     output: str,
     frames: Optional[Sequence[int]] = None,
     progress: Optional[bool] = None,
-    **options: object,
+    **options: Any,
 ) -> List[str]:
     """Renders into files and returns their names.
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 from pathlib import Path
-from typing import Dict, List, Optional
+from typing import Any, Dict, List, Optional
 
 from .animation import FILM_ENDINGS, Animation, write_sequence
 from .program import RenderError, render
@@ -23,7 +23,7 @@ def run(animation: Animation, still: float = 0.0, arguments: Optional[List[str]]
     parser.add_argument("--device", help="see `clucida devices`")
     parser.add_argument("--print", action="store_true", help="the still's text, and no picture")
     a = parser.parse_args(arguments)
-    options: Dict[str, object] = {"size": a.size, "samples": a.samples, "device": a.device}
+    options: Dict[str, Any] = {"size": a.size, "samples": a.samples, "device": a.device}
     try:
         if a.print:
             print(animation.at(a.t).text(), end="")

@@ -12,7 +12,7 @@ import threading
 from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
-from typing import IO, Iterable, Iterator, List, Optional, Tuple, Type, Union
+from typing import IO, Any, Iterable, Iterator, List, Optional, Tuple, Type, Union
 
 from .picture import Picture
 from .scene import Scene
@@ -126,8 +126,8 @@ class Stream:
     ...     for picture in stream.pictures(scenes): ...
     """
 
-    def __init__(self, **options: object) -> None:
-        self.options = RenderOptions(**options)  # type: ignore[arg-type]
+    def __init__(self, **options: Any) -> None:
+        self.options = RenderOptions(**options)
         command = self.options.command()
         # A file and not a pipe, for nobody reads it before the program has ended.
         self._messages: IO[bytes] = tempfile.TemporaryFile()
@@ -287,7 +287,7 @@ def kept_stream(options: RenderOptions) -> Stream:
 atexit.register(_close_kept)
 
 
-def render(scene: Union[Scene, str], *, frame: int = 1, **options: object) -> Picture:
+def render(scene: Union[Scene, str], *, frame: int = 1, **options: Any) -> Picture:
     """A picture of a scene, or of a scene's text. Options are those of RenderOptions; the program keeps running for
     the next call with the same options.
 
@@ -296,7 +296,7 @@ def render(scene: Union[Scene, str], *, frame: int = 1, **options: object) -> Pi
     if isinstance(scene, Scene) and scene.folder is not None:
         options.setdefault("folder", scene.folder)
     with _lock:
-        return kept_stream(RenderOptions(**options)).render(scene, frame)  # type: ignore[arg-type]
+        return kept_stream(RenderOptions(**options)).render(scene, frame)
 
 
 def canonical(scene: Union[Scene, str]) -> str:

@@ -81,7 +81,7 @@ def number(value: Number, what: str = "a number") -> Number:
         raise ValueError(f"expected {what}, a number, not {value!r}") from None
     if not math.isfinite(x) or abs(x) > LARGEST:
         raise ValueError(f"expected {what} of a magnitude up to {LARGEST:g}, not {x!r}")
-    return x if abs(x) >= SMALLEST else 0.0
+    return x if abs(x) >= SMALLEST else 0.0  # and no -0
 
 
 def positive(value: Number, what: str) -> Number:

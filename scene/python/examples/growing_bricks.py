@@ -17,7 +17,7 @@ BRICK = (0.55, 0.3, 0.2)  # along the wall, across it, up
 def brick(course: int, i: int, grown: float) -> Solid:
     """A brick with its edges cut off, of a part of its height, in its place in the wall."""
     x, y, z = BRICK
-    block = Cuboid((0, 0, z * grown / 2), (x, y, z * grown))
+    block: Solid = Cuboid((0, 0, z * grown / 2), (x, y, z * grown))
     # The tower grows narrower, and its courses are shifted by half a brick.
     radius = RADIUS - 0.02 * course
     angle = 360 * (i + 0.5 * (course % 2)) / AROUND
