@@ -229,6 +229,29 @@ def test_what_is_no_request_ends_the_program_with_an_error(data: bytes) -> None:
     assert done.returncode == 2 and done.stdout == b"" and b"clucida: error: " in done.stderr
 
 
+def test_a_caller_that_hears_no_more_ends_the_program() -> None:
+    command = [os.environ["CLUCIDA"], "stream", "-q", "-s", "8x6"]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        assert process.stdin and process.stdout and process.stderr
+        process.stdout.close()
+        process.stdin.write(b"scene %d\n%s" % (len(SKY), SKY))
+        process.stdin.flush()  # and it stays open
+        assert process.wait(timeout=60) == 1
+        assert b"standard output" in process.stderr.read()
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals are POSIX's")
+def test_an_interrupt_ends_the_program_while_it_waits() -> None:
+    command = [os.environ["CLUCIDA"], "stream", "-q", "-s", "8x6"]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        assert process.stdin and process.stdout
+        process.stdin.write(b"scene %d\n%s" % (len(SKY), SKY))
+        process.stdin.flush()
+        assert process.stdout.readline().startswith(b"picture")
+        process.send_signal(signal.SIGINT)
+        assert process.wait(timeout=60) == 130
+
+
 def test_the_module_runs_the_program() -> None:
     env = {**os.environ, "PYTHONPATH": str(TREE / "scene/python")}
     done = subprocess.run([sys.executable, "-m", "clucida", "--version"], capture_output=True, text=True, env=env, check=True)

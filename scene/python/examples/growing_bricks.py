@@ -9,8 +9,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from clucida import *
 from clucida.command import run
 
-COURSES, AROUND = 16, 22
-RADIUS, HEIGHT = 2.0, 0.22
+COURSES, AROUND = 22, 16
+RADIUS, HEIGHT = 1.5, 0.22
 BRICK = (0.55, 0.3, 0.2)  # along the wall, across it, up
 
 
@@ -19,7 +19,7 @@ def brick(course: int, i: int, grown: float) -> Solid:
     x, y, z = BRICK
     block: Solid = Cuboid((0, 0, z * grown / 2), (x, y, z * grown))
     # The tower grows narrower, and its courses are shifted by half a brick.
-    radius = RADIUS - 0.02 * course
+    radius = RADIUS - 0.015 * course
     angle = 360 * (i + 0.5 * (course % 2)) / AROUND
     block = block & Cuboid((0, 0, 0), (x * 1.34, 0, z * 3), z=(0, 0, 1), x=(1, 1, 0))
     return block.scale((radius / RADIUS, 1, 1)).move((0, -radius, course * HEIGHT)).rotate((0, 0, 1), angle)
@@ -36,18 +36,18 @@ def world(t: float) -> Scene:
             optics = glazed if (i - course) % 11 == 0 else chance.choice(clay)
             # Courses begin one after the other, and within each brick follows brick around the wall.
             begin = (course + 5 * ((i + 6) % AROUND) / AROUND) / (COURSES + 7)
-            grown = smooth(part(t, begin, begin + 2 / (COURSES + 7)))
-            if course in (3, 4, 5) and i % AROUND in (0, 7, 15):
+            grown = smooth(part(t, begin, begin + 1 / (COURSES + 7)))
+            if course % 7 in (3, 4, 5) and i in (1 + course // 7, 6 + course // 7, 11 + course // 7):
                 continue  # a window
             if grown > 0.01:
                 objects.append(Object(brick(course, i, grown), optics))
-    lamp = Object(Sphere((0, 0, 0.9), 0.55), glow((1, 0.85, 0.5)))
+    lamp = Object(Sphere((0, 0, 1.6), 0.7), glow((1, 0.85, 0.5)))
     ground = Object(Plane((0, 0, 0), (0, 0, 1)), matte((0.36, 0.42, 0.2), gloss=0.02))
     return Scene(
-        orbiting((0, 0, 1.75), 10.5, azimuth=-100 + 70 * t, elevation=13, fov=29),
+        orbiting((0, 0, 2.4), 12, azimuth=-80 + 70 * t, elevation=9, fov=28),
         [*objects, lamp, ground],
-        [Light((-70, -60, 60), (0.85, 0.78, 0.66)), Light((60, -40, 80), (0.2, 0.22, 0.3)), Light((0, 10, 90), 0.12)],
-        SkyGradient((0.25, 0.27, 0.22), (0.85, 0.87, 0.9), (0.16, 0.33, 0.72)),
+        [Light((-5e3, -6e3, 5e3), (1.0, 0.92, 0.76)), Light((6e3, -4e3, 6e3), (0.22, 0.25, 0.34)), Light((0, 1e3, 9e3), 0.14)],
+        SkyGradient((0.25, 0.27, 0.22), (0.72, 0.82, 0.93), (0.08, 0.22, 0.62)),
         Settings(light_law="lambert"),
     )
 

@@ -28,8 +28,8 @@ def pieces(t: float) -> list[Object]:
     chance = random.Random(7)
     colors = [(0.9, 0.12, 0.2), (0.15, 0.35, 0.95), (1, 0.65, 0.1), (0.1, 0.75, 0.4), (0.65, 0.2, 0.85), (0.2, 0.8, 0.9)]
     out = []
-    for i in range(46):
-        angle, away = chance.uniform(0, 360), 1.9 * math.sqrt(chance.random())
+    for i in range(31):
+        angle, away = chance.uniform(0, 360), 2.0 * math.sqrt(chance.random())
         turns = chance.choice([-1, 1])
         size = chance.uniform(0.25, 0.72)
         place = spherical(angle + 360 * turns * t, 0, away)
@@ -52,7 +52,7 @@ def pieces(t: float) -> list[Object]:
 def world(t: float) -> Scene:
     pane = Object(Plane((0, LENGTH + 1.6, 0), (0, -1, 0)), glow((1.0, 0.93, 0.8)))
     return Scene(
-        Observer(eye=(0.03, -0.4, -0.05), look=(0, LENGTH, 0.02), fov=46),
+        Observer(eye=(0, -0.4, 1.6), look=(0, LENGTH, 1.97), fov=42),
         [Object(mirrors(), metal((0.95, 0.96, 0.97))), *pieces(t), pane],
         settings=Settings(hops=40, cutoff=1 / 512),
         sky=SkyColor(0.02),

@@ -24,7 +24,7 @@ def ring(names: tuple[str, ...], away: float, size: float, t: float, turns: int)
         axis = spherical(137 * i, 55)
         solid = polyhedron(name).solid(radius=size).rotate(axis, 360 * t + 40 * i).move(place)
         tint = hue(i / len(names))
-        optics = [matte(tint, gloss=0.08), metal(tuple(0.25 + 0.7 * x for x in tint), 0.1),
+        optics = [matte(tint, gloss=0.08), metal(tuple(0.15 + 0.6 * x for x in tint), tuple(0.5 * x for x in tint)),
                   glass(tuple(x**0.8 for x in tint), index=1.45)][i % 3]
         out.append(Object(solid, optics))
     return out
@@ -32,13 +32,13 @@ def ring(names: tuple[str, ...], away: float, size: float, t: float, turns: int)
 
 def world(t: float) -> Scene:
     ball = Object(Sphere((0, 0, 1.1), 0.85), glass((0.92, 0.97, 1.0)))
-    heart = Object(polyhedron("icosahedron").solid((0, 0, 1.1), 0.4).rotate((0, 0, 1), -360 * t), metal((1, 0.72, 0.25), 0.15))
-    floor = Object(Plane((0, 0, -0.1), (0, 0, 1)), matte((0.05, 0.07, 0.13), gloss=0.3))
+    heart = Object(polyhedron("icosahedron").solid((0, 0, 1.1), 0.4).rotate((0, 0, 1), -360 * t), metal((1, 0.8, 0.4)))
+    floor = Object(Plane((0, 0, -0.1), (0, 0, 1)), matte((0.03, 0.05, 0.10), gloss=0.25))
     return Scene(
-        orbiting((0, 0, 0.65), 12.5, azimuth=-90, elevation=21, fov=29),
+        orbiting((0, 0, 0.65), 12.5, azimuth=-90, elevation=18, fov=28),
         [heart, ball, *ring(REGULAR, 1.95, 0.5, t, -1), *ring(ARCHIMEDEAN, 3.7, 0.66, t, 1), floor],
-        [Light((-40, -50, 60), (1.1, 1.0, 0.85)), Light((50, -30, 60), (0.3, 0.35, 0.45)), Light((0, 60, 50), 0.25)],
-        SkyGradient(0.05, (0.5, 0.42, 0.4), (0.03, 0.06, 0.22)),
+        [Light((-4e3, -5e3, 5e3), (1.15, 1.05, 0.9)), Light((5e3, -3e3, 4e3), (0.3, 0.36, 0.5)), Light((0, 6e3, 5e3), 0.3)],
+        SkyGradient(0.02, (0.035, 0.05, 0.11), (0.55, 0.68, 1.0)),
         Settings(light_law="lambert"),
     )
 

@@ -30,10 +30,10 @@ def shape(kind: int, chance: random.Random) -> Solid:
 
 def optics(chance: random.Random) -> Optics:
     tint = [(0.95, 0.25, 0.2), (1, 0.7, 0.2), (0.25, 0.75, 0.4), (0.25, 0.5, 1), (0.75, 0.35, 0.9), (0.95, 0.95, 0.95)]
-    r, g, b = chance.choice(tint)
+    r, g, b = (x**1.4 for x in chance.choice(tint))
     kind = chance.random()
     if kind < 0.42:
-        return glass((r**0.7, g**0.7, b**0.7), index=chance.choice([1.33, 1.5, 1.7]))
+        return glass((r**0.5, g**0.5, b**0.5), index=chance.choice([1.33, 1.5, 1.7]))
     if kind < 0.62:
         return metal((0.3 + 0.65 * r, 0.3 + 0.65 * g, 0.3 + 0.65 * b), 0.08)
     return matte((0.85 * r, 0.85 * g, 0.85 * b), gloss=0.07)
@@ -72,10 +72,10 @@ CLUSTER = cluster(seed=2016)
 
 def world(t: float) -> Scene:
     return Scene(
-        orbiting((0, 0, 0), 9.4, azimuth=-70 + 360 * t, elevation=-12, fov=30),
+        orbiting((0, 0, 0), 10.4, azimuth=-40 + 360 * t, elevation=14, fov=31),
         CLUSTER,
-        [Light((-40, -60, 60), (1.0, 0.94, 0.84)), Light((60, -20, 30), (0.3, 0.36, 0.45)), Light((0, 50, -40), 0.2)],
-        SkyGradient((0.03, 0.03, 0.06), (0.62, 0.55, 0.5), (0.06, 0.16, 0.5)),
+        [Light((-40, -60, 60), (1.1, 1.03, 0.92)), Light((60, -20, 30), (0.4, 0.44, 0.5)), Light((0, 50, -40), 0.2)],
+        SkyGradient((0.02, 0.03, 0.08), (0.5, 0.62, 0.85), (1.0, 0.97, 0.92)),
         Settings(light_law="lambert"),
     )
 
