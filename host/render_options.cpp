@@ -160,7 +160,7 @@ EncodeOptions encoding_of(const RenderOptions& o, const SceneSource& source, con
 
 Device device_of(const RenderOptions& o)
 {
-    const Device device = find_device(device_selector(o.device));
+    Device device = find_device(device_selector(o.device));
     if (!o.quiet) fmt::print(stderr, "device {}\n", describe(device.info));
     if (o.precision == "double") require_double(device.info);
     return device;

@@ -2,6 +2,7 @@
 
 import io
 import math
+import subprocess
 from pathlib import Path
 from typing import Iterator, List
 
@@ -85,6 +86,23 @@ def test_chosen_frames_are_rendered_into_numbered_files(tmp_path: Path) -> None:
 def test_float_maps_have_floats(tmp_path: Path) -> None:
     (file,) = c.write_sequence([world(0)], str(tmp_path / "#.pfm"), size=(16, 9))
     assert Path(file).read_bytes().startswith(b"PF\n16 9\n-1.0\n")
+
+
+@pytest.mark.parametrize("name", ["film.mp4", "film.gif"])
+def test_a_film_has_all_frames(name: str, tmp_path: Path) -> None:
+    c.write_sequence(c.Animation(world, frames=5, fps=10), str(tmp_path / name), size=(33, 19))
+    assert [p.name for p in tmp_path.iterdir()] == [name]
+    probe = ["ffprobe", "-v", "error", "-count_frames", "-show_entries", "stream=nb_read_frames", "-of", "csv=p=0"]
+    told = subprocess.run([*probe, str(tmp_path / name)], check=True, capture_output=True, text=True).stdout
+    assert told.strip(" ,\n") == "5"
+
+
+def test_a_film_that_cannot_be_written_is_an_error_and_leaves_nothing(tmp_path: Path) -> None:
+    with pytest.raises(c.RenderError, match="could not write"):
+        c.write_sequence(c.Animation(world, frames=3), str(tmp_path / "no/such/folder.mp4"), size=(32, 18))
+    with pytest.raises(c.RenderError, match="scene:1:"):
+        c.write_sequence([world(0), "nonsense"], str(tmp_path / "film.mp4"), size=(32, 18))  # type: ignore[list-item]
+    assert not list(tmp_path.iterdir())
 
 
 def test_names_need_one_place_for_the_number() -> None:

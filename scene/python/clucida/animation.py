@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import itertools
+import os
 import re
 import shutil
 import subprocess
@@ -194,19 +195,27 @@ def _write_film(pictures: Iterator[Picture], output: str, fps: float) -> None:
     program = shutil.which("ffmpeg")
     if program is None:
         raise RenderError("films need ffmpeg, which was not found; expected it on the PATH")
-    encoder: Optional[subprocess.Popen[bytes]] = None
-    for picture in pictures:
-        if encoder is None:
-            command = [program, "-v", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24"]
-            command += ["-s", f"{picture.width}x{picture.height}", "-r", f"{fps:g}", "-i", "-"]
-            if not output.lower().endswith(".gif"):
-                command += ["-pix_fmt", "yuv420p", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2"]
-            encoder = subprocess.Popen([*command, output], stdin=subprocess.PIPE)
-        assert encoder.stdin
-        encoder.stdin.write(picture.developed().data)
-    if encoder is None:
+    first = next(pictures, None)
+    if first is None:
         raise ValueError("expected one frame or more for a film, not none")
-    assert encoder.stdin
-    encoder.stdin.close()
-    if encoder.wait() != 0:
-        raise RenderError(f"ffmpeg could not write {output}")
+    # Under another name until it is whole; the ending tells ffmpeg the format.
+    file = Path(output)
+    unfinished = file.with_name(f".{os.getpid()}.part.{file.name}")
+    command = [program, "-v", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24"]
+    command += ["-s", f"{first.width}x{first.height}", "-r", f"{fps:g}", "-i", "-"]
+    if file.suffix.lower() != ".gif":
+        command += ["-pix_fmt", "yuv420p", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2"]
+    try:
+        with subprocess.Popen([*command, str(unfinished)], stdin=subprocess.PIPE) as encoder:
+            assert encoder.stdin
+            try:
+                for picture in itertools.chain([first], pictures):
+                    encoder.stdin.write(picture.developed().data)
+                encoder.stdin.close()
+            except BrokenPipeError:  # it has said why
+                pass
+        if encoder.returncode != 0:
+            raise RenderError(f"ffmpeg could not write {output}")
+        unfinished.replace(file)
+    finally:
+        unfinished.unlink(missing_ok=True)
