@@ -29,7 +29,17 @@ def scene(x: float = 0.0) -> c.Scene:
 def rendered(file: Path, text: str, *options: str) -> bytes:
     """What `clucida render` writes."""
     (file.parent / "scene.clu").write_text(text)
-    command = [os.environ["CLUCIDA"], "render", str(file.parent / "scene.clu"), "-q", "-s", "48x27", "-o", str(file), *options]
+    command = [
+        os.environ["CLUCIDA"],
+        "render",
+        str(file.parent / "scene.clu"),
+        "-q",
+        "-s",
+        "48x27",
+        "-o",
+        str(file),
+        *options,
+    ]
     subprocess.run(command, check=True)
     return file.read_bytes()
 
@@ -66,7 +76,7 @@ def test_a_wrong_scene_is_told_and_does_not_end_the_stream() -> None:
         before = stream.render(scene())
         with pytest.raises(c.RenderError, match=r"scene:2:\d+: error: .*expected"):
             stream.render("clucida 1\nobserver { eye [0, 0, 0]; look [0, 0, 0] }\n")
-        with pytest.raises(c.RenderError, match="1e-3000|quadric has no boundary|boundary"):
+        with pytest.raises(c.RenderError, match="no boundary"):
             stream.render(c.Scene(c.Observer((0, -6, 2)), [c.Object(c.Quadric((1, 1, 1), constant=1), c.matte(1))]))
         assert stream.render(scene()) == before
 
@@ -156,13 +166,14 @@ def test_arrays_have_rows_columns_and_channels() -> None:
 
 
 def test_the_package_needs_no_numpy() -> None:
-    code = "import sys; sys.modules['numpy'] = None; import clucida as c; c.render('clucida 1\\nobserver { eye [1,0,0]; look [0,0,0] }', size='8x8').png()"
+    code = "import sys; sys.modules['numpy'] = None; import clucida as c; "
+    code += "c.render(c.Scene(c.Observer((1, 0, 0))), size='8x8', samples_format='float').png()"
     env = {**os.environ, "PYTHONPATH": str(TREE / "scene/python")}
     subprocess.run([sys.executable, "-c", code], check=True, env=env)
 
 
 def unpacked(png: bytes) -> bytes:
-    """The samples of a PNG file of bytes, whose rows are plain or filtered by the left, the upper or by both neighbours."""
+    """The samples of a PNG file of bytes, whose rows may be filtered (PNG specification, 9.2)."""
     assert png[:8] == b"\x89PNG\r\n\x1a\n"
     at, packed, width, height = 8, b"", 0, 0
     while at < len(png):
@@ -223,7 +234,19 @@ def test_the_protocol_is_lines_and_bytes() -> None:
     assert raw(b"").returncode == 0
 
 
-@pytest.mark.parametrize("data", [b"picture 3\nabc", b"scene\n", b"scene x\n", b"scene 9\nabc", b"scene 1 0\na", b"scene 99999999999\n", b"scene 3", b"s" * 500])
+@pytest.mark.parametrize(
+    "data",
+    [
+        b"picture 3\nabc",
+        b"scene\n",
+        b"scene x\n",
+        b"scene 9\nabc",
+        b"scene 1 0\na",
+        b"scene 99999999999\n",
+        b"scene 3",
+        b"s" * 500,
+    ],
+)
 def test_what_is_no_request_ends_the_program_with_an_error(data: bytes) -> None:
     done = raw(data)
     assert done.returncode == 2 and done.stdout == b"" and b"clucida: error: " in done.stderr
@@ -254,9 +277,16 @@ def test_an_interrupt_ends_the_program_while_it_waits() -> None:
 
 def test_the_module_runs_the_program() -> None:
     env = {**os.environ, "PYTHONPATH": str(TREE / "scene/python")}
-    done = subprocess.run([sys.executable, "-m", "clucida", "--version"], capture_output=True, text=True, env=env, check=True)
+    done = subprocess.run(
+        [sys.executable, "-m", "clucida", "--version"], capture_output=True, text=True, env=env, check=True
+    )
     assert done.stdout.startswith("clucida ")
-    assert subprocess.run([sys.executable, "-m", "clucida", "nonsense"], capture_output=True, env=env, check=False).returncode == 2
+    assert (
+        subprocess.run(
+            [sys.executable, "-m", "clucida", "nonsense"], capture_output=True, env=env, check=False
+        ).returncode
+        == 2
+    )
 
 
 EXAMPLES = sorted(p.stem for p in (TREE / "scene/python/examples").glob("*.py"))
@@ -265,13 +295,24 @@ EXAMPLES = sorted(p.stem for p in (TREE / "scene/python/examples").glob("*.py"))
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_examples_render_the_same_picture_each_time(name: str, tmp_path: Path) -> None:
     script = str(TREE / f"scene/python/examples/{name}.py")
-    texts = [subprocess.run([sys.executable, script, "--print", "-t", "0.3"], capture_output=True, check=True, cwd=tmp_path).stdout for _ in range(2)]
+    texts = [
+        subprocess.run(
+            [sys.executable, script, "--print", "-t", "0.3"], capture_output=True, check=True, cwd=tmp_path
+        ).stdout
+        for _ in range(2)
+    ]
     assert texts[0] == texts[1] and texts[0].startswith(b"clucida 1\n")
-    subprocess.run([sys.executable, script, "-o", "still.png", "-s", "32x18", "--samples", "1"], check=True, cwd=tmp_path)
+    subprocess.run(
+        [sys.executable, script, "-o", "still.png", "-s", "32x18", "--samples", "1"], check=True, cwd=tmp_path
+    )
     assert (tmp_path / "still.png").read_bytes().startswith(b"\x89PNG")
 
 
 def test_an_example_renders_frames(tmp_path: Path) -> None:
     script = str(TREE / "scene/python/examples/kaleidoscope.py")
-    subprocess.run([sys.executable, script, "-o", "%02d.png", "--frames", "2", "-s", "16x9", "--samples", "1"], check=True, cwd=tmp_path)
+    subprocess.run(
+        [sys.executable, script, "-o", "%02d.png", "--frames", "2", "-s", "16x9", "--samples", "1"],
+        check=True,
+        cwd=tmp_path,
+    )
     assert sorted(p.name for p in tmp_path.iterdir()) == ["01.png", "02.png"]

@@ -25,7 +25,8 @@ def with_solid(*solids: c.Solid) -> c.Scene:
 
 
 def hand_written(solid: str) -> str:
-    return f"clucida 1\nobserver {{ eye [0, -6, 2]; look [0, 0, 0] }}\nobject {{ solid {solid}\noptics {{ absorption 0.5 }} }}"
+    observer = "observer { eye [0, -6, 2]; look [0, 0, 0] }"
+    return f"clucida 1\n{observer}\nobject {{ solid {solid}\noptics {{ absorption 0.5 }} }}"
 
 
 @given(SOLIDS)
@@ -36,7 +37,17 @@ def test_a_solid_is_read_as_one_written_by_hand(written: Written) -> None:
     assert c.canonical(printed) == printed
 
 
-@given(st.builds(c.Optics, FILTERS, FILTERS, st.floats(-2, 3).filter(lambda x: x == 0 or abs(x) > 1e-30), FILTERS, FILTERS, st.booleans()))
+@given(
+    st.builds(
+        c.Optics,
+        FILTERS,
+        FILTERS,
+        st.floats(-2, 3).filter(lambda x: x == 0 or abs(x) > 1e-30),
+        FILTERS,
+        FILTERS,
+        st.booleans(),
+    )
+)
 def test_optics_are_read_back(optics: c.Optics) -> None:
     printed = c.canonical(c.Scene(OBSERVER, [c.Object(c.Sphere(), optics)]))
     assert c.canonical(printed) == printed
@@ -69,7 +80,9 @@ SETTINGS = st.builds(
     st.sampled_from(["nearest", "rank"]),
 )
 OBSERVERS = st.one_of(
-    st.builds(c.orbiting, st.just((3, -2, 1)), st.floats(1, 10), st.floats(0, 360), st.floats(-80, 80), st.floats(1, 179)),
+    st.builds(
+        c.orbiting, st.just((3, -2, 1)), st.floats(1, 10), st.floats(0, 360), st.floats(-80, 80), st.floats(1, 179)
+    ),
     st.just(c.Window((1, 2, 3), (1, 3, 3), (1, 0, 0), (0, 0, -1))),
 )
 

@@ -66,7 +66,9 @@ PRIMITIVES = st.one_of(
         lambda p, x, y: Written(c.Cuboid(p, (x, 0, y)), call("cuboid", p, (x, 0.0, y))), VECTORS, LENGTHS, LENGTHS
     ),
     st.builds(
-        lambda p, z, s: Written(c.Cuboid(p, (s, s, 1), z, (1, 50, 0)), call("cuboid", p, z, (1.0, 50.0, 0.0), (s, s, 1.0))),
+        lambda p, z, s: Written(
+            c.Cuboid(p, (s, s, 1), z, (1, 50, 0)), call("cuboid", p, z, (1.0, 50.0, 0.0), (s, s, 1.0))
+        ),
         VECTORS,
         DIRECTIONS,
         LENGTHS,
@@ -99,7 +101,10 @@ def _composed(of: st.SearchStrategy[Written]) -> st.SearchStrategy[Written]:
         of.map(lambda a: Written(~a.solid, f"!({a.text})", "!")),
         st.builds(lambda v, a: Written(a.solid.move(v), call("move", v, a.text)), VECTORS, of),
         st.builds(
-            lambda v, d, a: Written(a.solid.rotate(v, d), call("rotate", v, d, a.text)), DIRECTIONS, st.floats(-720, 720).filter(lambda x: x == 0 or abs(x) > 1e-30), of
+            lambda v, d, a: Written(a.solid.rotate(v, d), call("rotate", v, d, a.text)),
+            DIRECTIONS,
+            st.floats(-720, 720).filter(lambda x: x == 0 or abs(x) > 1e-30),
+            of,
         ),
         st.builds(
             lambda v, d, a: Written(a.solid.rotate(v, d, (1, 2, 3)), call("rotate", v, d, (1.0, 2.0, 3.0), a.text)),

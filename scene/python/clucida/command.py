@@ -15,7 +15,9 @@ def run(animation: Animation, still: float = 0.0, arguments: Optional[List[str]]
     """Renders what the arguments ask for; of a still the t unless they say so."""
     name = Path(sys.argv[0]).stem
     parser = argparse.ArgumentParser(description=f"Renders {name}: a still, frames or a film.")
-    parser.add_argument("-o", "--output", default=f"{name}.png", help="png, ppm or pfm; of frames with %%04d, or a film's")
+    parser.add_argument(
+        "-o", "--output", default=f"{name}.png", help="png, ppm or pfm; of frames with %%04d, or a film's"
+    )
     parser.add_argument("-t", type=float, default=still, help="the still's time, 0 to 1 (%(default)s)")
     parser.add_argument("--frames", type=int, help="of the whole sequence, which is then rendered")
     parser.add_argument("-s", "--size", default="640x360", help="in pixels (%(default)s)")

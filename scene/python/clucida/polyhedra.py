@@ -10,7 +10,7 @@ from __future__ import annotations
 import itertools
 import math
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache
 from typing import Callable, Dict, Iterable, Iterator, List, Sequence, Set, Tuple
 
 from .solids import Plane, Solid, intersection
@@ -143,7 +143,7 @@ REGULAR = tuple(_CORNERS)[:5]
 ARCHIMEDEAN = tuple(_CORNERS)[5:]
 
 
-@lru_cache(maxsize=None)
+@cache
 def polyhedron(name: str) -> Polyhedron:
     """By its name: one of REGULAR or ARCHIMEDEAN."""
     if name not in _CORNERS:
@@ -151,7 +151,7 @@ def polyhedron(name: str) -> Polyhedron:
     return _uniform(name, _CORNERS[name]())
 
 
-@lru_cache(maxsize=None)
+@cache
 def prism(sides: int) -> Polyhedron:
     """Two regular polygons of so many sides, one above the other along z, and squares between."""
     whole(sides, 3, 1000, "a number of sides")
@@ -159,7 +159,7 @@ def prism(sides: int) -> Polyhedron:
     return _uniform(f"prism of {sides}", [(x, y, z) for x, y in _polygon(sides) for z in (-half, half)])
 
 
-@lru_cache(maxsize=None)
+@cache
 def antiprism(sides: int) -> Polyhedron:
     """Two regular polygons of so many sides along z, one turned by half a side, and triangles between."""
     whole(sides, 3, 1000, "a number of sides")

@@ -129,6 +129,7 @@ class Stream:
     def __init__(self, **options: Any) -> None:
         self.options = RenderOptions(**options)
         command = self.options.command()
+        self._program = f"the program {command[0]}"
         # A file and not a pipe, for nobody reads it before the program has ended.
         self._messages: IO[bytes] = tempfile.TemporaryFile()
         try:
@@ -261,7 +262,7 @@ class Stream:
             how = f"was ended by signal {-code}"
         else:
             how = f"ended with exit code {code}"
-        return RenderError(f"the program {self._process.args[0]} {how}{': ' + said if said else ''}")  # type: ignore
+        return RenderError(f"{self._program} {how}{': ' + said if said else ''}")
 
 
 _lock = threading.Lock()

@@ -109,7 +109,7 @@ class Cone(Solid):
 
 @dataclass(frozen=True)
 class Paraboloid(Solid):
-    """All points nearer to the focus than to the vertex's plane; ``focus`` is the vector from the vertex to the focus."""
+    """x² + y² < 4 f z: ``focus`` is the vector along z from the vertex to the focus, f its length."""
 
     vertex: VectorLike
     focus: VectorLike

@@ -48,7 +48,9 @@ class _Names:
     def take(self, name: str, item: Any) -> None:
         """Notes a given name. The same name for another thing is an error."""
         if name in self.given and self.given[name] != item:
-            raise ValueError(f"two different things are called {name!r}; expected a name of its own for each {self.kind}")
+            raise ValueError(
+                f"two different things are called {name!r}; expected a name of its own for each {self.kind}"
+            )
         self.given[name] = item
 
     def make(self) -> str:
@@ -64,7 +66,7 @@ _UNION, _DIFFERENCE, _INTERSECTION, _UNARY = range(4)
 
 
 class _Solids:
-    """Writes solids as expressions; what is used several times gets a name, for else a text could grow exponentially."""
+    """Writes solids as expressions; what is used several times gets a name, else a text could grow exponentially."""
 
     def __init__(self, roots: Iterable[s.Solid]) -> None:
         self.names = _Names("solid")
@@ -150,7 +152,7 @@ def _call(word: str, *arguments: Optional[Value]) -> str:
 
 
 class _Shared:
-    """Optics or textures: named ones and those of several objects are statements, the others stand where they are used."""
+    """Optics or textures: named ones and those of several objects are statements, others stand where they are used."""
 
     def __init__(self, kind: str, items: Iterable[Any], text: Callable[[Any], str]) -> None:
         self.names, self.text = _Names(kind), text

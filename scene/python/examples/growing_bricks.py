@@ -1,6 +1,5 @@
 """A tower of bricks that grows, course by course; each brick comes up out of the one below it."""
 
-import math
 import random
 import sys
 from pathlib import Path
@@ -15,20 +14,21 @@ BRICK = (0.55, 0.3, 0.2)  # along the wall, across it, up
 
 
 def brick(course: int, i: int, grown: float) -> Solid:
-    """A brick with its edges cut off, of a part of its height, in its place in the wall."""
+    """A brick in its place in the wall, of a part of its height."""
     x, y, z = BRICK
-    block: Solid = Cuboid((0, 0, z * grown / 2), (x, y, z * grown))
+    block = Cuboid((0, 0, z * grown / 2), (x, y, z * grown))
     # The tower grows narrower, and its courses are shifted by half a brick.
     radius = RADIUS - 0.015 * course
     angle = 360 * (i + 0.5 * (course % 2)) / AROUND
-    block = block & Cuboid((0, 0, 0), (x * 1.34, 0, z * 3), z=(0, 0, 1), x=(1, 1, 0))
     return block.scale((radius / RADIUS, 1, 1)).move((0, -radius, course * HEIGHT)).rotate((0, 0, 1), angle)
 
 
 def world(t: float) -> Scene:
     chance = random.Random(3)
-    clay = [matte((0.62 + 0.2 * v, 0.24 + 0.13 * v, 0.13 + 0.08 * v), gloss=0.02)
-            for v in (chance.random() for _ in range(12))]
+    clay = [
+        matte((0.62 + 0.2 * v, 0.24 + 0.13 * v, 0.13 + 0.08 * v), gloss=0.02)
+        for v in (chance.random() for _ in range(12))
+    ]
     glazed = glass((0.25, 0.75, 0.85))
     objects = []
     for course in range(COURSES):
@@ -46,7 +46,11 @@ def world(t: float) -> Scene:
     return Scene(
         orbiting((0, 0, 2.4), 12, azimuth=-80 + 70 * t, elevation=9, fov=28),
         [*objects, lamp, ground],
-        [Light((-5e3, -6e3, 5e3), (1.0, 0.92, 0.76)), Light((6e3, -4e3, 6e3), (0.22, 0.25, 0.34)), Light((0, 1e3, 9e3), 0.14)],
+        [
+            Light((-5e3, -6e3, 5e3), (1.0, 0.92, 0.76)),
+            Light((6e3, -4e3, 6e3), (0.22, 0.25, 0.34)),
+            Light((0, 1e3, 9e3), 0.14),
+        ],
         SkyGradient((0.25, 0.27, 0.22), (0.72, 0.82, 0.93), (0.08, 0.22, 0.62)),
         Settings(light_law="lambert"),
     )

@@ -18,15 +18,24 @@ LENGTH = 9.0
 
 def mirrors() -> Solid:
     """Everything outside of a triangular tube along y."""
-    inside = [Plane((SIDE * math.sin(a), 0, SIDE * math.cos(a)), (math.sin(a), 0, math.cos(a)))
-              for a in (math.radians(60), math.radians(180), math.radians(300))]
+    inside = [
+        Plane((SIDE * math.sin(a), 0, SIDE * math.cos(a)), (math.sin(a), 0, math.cos(a)))
+        for a in (math.radians(60), math.radians(180), math.radians(300))
+    ]
     return ~intersection(*inside) & Cuboid((0, LENGTH / 2 - 1, 0), (8, LENGTH, 8))
 
 
 def pieces(t: float) -> list[Object]:
     """Bits of glass that fall around the axis as the tube is turned."""
     chance = random.Random(7)
-    colors = [(0.9, 0.12, 0.2), (0.15, 0.35, 0.95), (1, 0.65, 0.1), (0.1, 0.75, 0.4), (0.65, 0.2, 0.85), (0.2, 0.8, 0.9)]
+    colors = [
+        (0.9, 0.12, 0.2),
+        (0.15, 0.35, 0.95),
+        (1, 0.65, 0.1),
+        (0.1, 0.75, 0.4),
+        (0.65, 0.2, 0.85),
+        (0.2, 0.8, 0.9),
+    ]
     out = []
     for i in range(31):
         angle, away = chance.uniform(0, 360), 2.0 * math.sqrt(chance.random())

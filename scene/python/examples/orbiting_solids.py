@@ -11,7 +11,9 @@ from clucida.command import run
 
 def hue(x: float, least: float = 0.12) -> tuple[float, float, float]:
     """A color around the circle, x from 0 to 1."""
-    r, g, b = (least + (1 - least) * (0.5 + 0.5 * math.cos(math.tau * (x - shift))) ** 1.3 for shift in (0, 1 / 3, 2 / 3))
+    r, g, b = (
+        least + (1 - least) * (0.5 + 0.5 * math.cos(math.tau * (x - shift))) ** 1.3 for shift in (0, 1 / 3, 2 / 3)
+    )
     return r, g, b
 
 
@@ -24,8 +26,11 @@ def ring(names: tuple[str, ...], away: float, size: float, t: float, turns: int)
         axis = spherical(137 * i, 55)
         solid = polyhedron(name).solid(radius=size).rotate(axis, 360 * t + 40 * i).move(place)
         tint = hue(i / len(names))
-        optics = [matte(tint, gloss=0.08), metal(tuple(0.15 + 0.6 * x for x in tint), tuple(0.5 * x for x in tint)),
-                  glass(tuple(x**0.8 for x in tint), index=1.45)][i % 3]
+        optics = [
+            matte(tint, gloss=0.08),
+            metal(tuple(0.15 + 0.6 * x for x in tint), tuple(0.5 * x for x in tint)),
+            glass(tuple(x**0.8 for x in tint), index=1.45),
+        ][i % 3]
         out.append(Object(solid, optics))
     return out
 
@@ -37,7 +42,11 @@ def world(t: float) -> Scene:
     return Scene(
         orbiting((0, 0, 0.65), 12.5, azimuth=-90, elevation=18, fov=28),
         [heart, ball, *ring(REGULAR, 1.95, 0.5, t, -1), *ring(ARCHIMEDEAN, 3.7, 0.66, t, 1), floor],
-        [Light((-4e3, -5e3, 5e3), (1.15, 1.05, 0.9)), Light((5e3, -3e3, 4e3), (0.3, 0.36, 0.5)), Light((0, 6e3, 5e3), 0.3)],
+        [
+            Light((-4e3, -5e3, 5e3), (1.15, 1.05, 0.9)),
+            Light((5e3, -3e3, 4e3), (0.3, 0.36, 0.5)),
+            Light((0, 6e3, 5e3), 0.3),
+        ],
         SkyGradient(0.02, (0.035, 0.05, 0.11), (0.55, 0.68, 1.0)),
         Settings(light_law="lambert"),
     )
