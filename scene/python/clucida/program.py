@@ -277,7 +277,7 @@ def _close_kept() -> None:
 
 
 def kept_stream(options: RenderOptions) -> Stream:
-    """The stream of the last call, if it has the same options and runs, else a new one: a device takes a while to wake."""
+    """The stream of the last call, if it has the same options and runs, else a new one: devices are slow to wake."""
     global _kept
     if _kept is None or _kept.options != options or not _kept.alive:
         _close_kept()
@@ -294,8 +294,10 @@ def render(scene: Union[Scene, str], *, frame: int = 1, **options: Any) -> Pictu
 
     @raises RenderError with the program's message
     """
-    if isinstance(scene, Scene) and scene.folder is not None:
-        options.setdefault("folder", scene.folder)
+    own = scene.folder if isinstance(scene, Scene) else None
+    # Told to the stream, so that one of another folder or program is not taken for the same.
+    options.setdefault("folder", own or os.getcwd())
+    options.setdefault("program", find_program())
     with _lock:
         return kept_stream(RenderOptions(**options)).render(scene, frame)
 
