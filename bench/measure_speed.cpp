@@ -23,7 +23,7 @@ constexpr const char* caches[] = {"POCL_CACHE_DIR", "XDG_CACHE_HOME", "MESA_SHAD
 /// A contender with the folder that is its own, in which it finds what it has compiled before.
 struct Entrant {
     SpeedTask task;
-    Environment environment;
+    host::Environment environment;
     std::string name; ///< for errors
 };
 

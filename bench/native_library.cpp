@@ -1,7 +1,7 @@
 #include "bench/native_library.h"
 
-#include "bench/child_process.h"
 #include "host/atomic_file.h"
+#include "host/child_process.h"
 #include "host/errors.h"
 #include "host/kernel_source.h"
 #include "host/sha256.h"
@@ -69,7 +69,7 @@ void compile(const NativeBuild& build, const std::string& defines, const fs::pat
     for (const std::string& word : {std::string("-o"), library.string(), std::string("-lm")}) command.push_back(word);
 
     const std::string log = (build.folder / "compiler.log").string();
-    if (!run_child(command, log))
+    if (!host::run_child(command, log))
         throw host::Failure(fmt::format("the native build failed: {}\n{}", fmt::join(command, " "),
                                         host::read_file(log).substr(0, most_log)));
 }
@@ -101,7 +101,7 @@ std::string describe(const NativeBuild& build)
 {
     const std::string log = (build.folder / "version.log").string();
     const std::string compiler = compiler_of(build);
-    if (!run_child({compiler, "--version"}, log))
+    if (!host::run_child({compiler, "--version"}, log))
         throw host::Failure(fmt::format("{} does not tell its version", compiler));
     const std::string version = host::read_file(log);
     return fmt::format("{} {}", version.substr(0, version.find('\n')), fmt::join(options_of(build), " "));

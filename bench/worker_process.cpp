@@ -69,14 +69,14 @@ nlohmann::json answer_or_error(const std::function<nlohmann::json(const nlohmann
 
 } // namespace
 
-WorkerProcess::WorkerProcess(std::string name, const std::string& subcommand, const Environment& environment)
+WorkerProcess::WorkerProcess(std::string name, const std::string& subcommand, const host::Environment& environment)
     : name_(std::move(name))
 {
     const std::array<int, 2> questions = make_pipe(), answers = make_pipe();
     to_ = questions[1];
     from_ = answers[0];
     try {
-        process_ = start_child({this_program(), subcommand}, environment, {questions[0], answers[1], -1});
+        process_ = host::start_child({this_program(), subcommand}, environment, {questions[0], answers[1], -1});
     } catch (...) {
         for (const int end : {questions[0], questions[1], answers[0], answers[1]}) ::close(end);
         throw;
@@ -110,7 +110,7 @@ int WorkerProcess::stop()
 
 void WorkerProcess::tell_death()
 {
-    throw host::Failure(fmt::format("{}: the process that rendered it ended: {}", name_, describe_end(stop())));
+    throw host::Failure(fmt::format("{}: the process that rendered it ended: {}", name_, host::describe_end(stop())));
 }
 
 std::string WorkerProcess::read_line()

@@ -1,7 +1,7 @@
 /// A process of this program that answers questions: a line of JSON each, over pipes.
 #pragma once
 
-#include "bench/child_process.h"
+#include "host/child_process.h"
 
 #include <nlohmann/json.hpp>
 
@@ -11,7 +11,7 @@ namespace clucida::bench {
 class WorkerProcess {
 public:
     /// Starts this very program with the subcommand. name is for errors. @throws host::Failure
-    WorkerProcess(std::string name, const std::string& subcommand, const Environment& environment);
+    WorkerProcess(std::string name, const std::string& subcommand, const host::Environment& environment);
     ~WorkerProcess();
     WorkerProcess(const WorkerProcess&) = delete;
     WorkerProcess& operator=(const WorkerProcess&) = delete;

@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -11,6 +12,8 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <map>
+#include <set>
 #include <utility>
 
 namespace clucida::host {
@@ -138,6 +141,7 @@ struct PendingFile::State {
 PendingFile::PendingFile(const fs::path& file) : state_(std::make_unique<State>(file))
 {
     if (state_->out.get() < 0) fail("cannot write", file.string());
+    mark_in_use(state_->out.get());
 }
 
 PendingFile::~PendingFile() = default;
@@ -166,10 +170,35 @@ void PendingFile::commit()
         if (!to.close()) fail("cannot write", s.file.string());
         return;
     }
-    if (::fchmod(s.out.get(), usual_mode()) != 0 || ::fsync(s.out.get()) != 0 || !s.out.close() ||
+    // Renamed before it is closed, for until then it counts as in use.
+    if (::fchmod(s.out.get(), usual_mode()) != 0 || ::fsync(s.out.get()) != 0 ||
         ::rename(s.name.c_str(), s.target.c_str()) != 0)
         fail("cannot write", s.file.string());
     s.temporary.keep();
+    if (!s.out.close()) fail("cannot write", s.file.string());
+}
+
+void mark_in_use(int descriptor)
+{
+    ::flock(descriptor, LOCK_EX | LOCK_NB); // where files cannot be locked, leftovers are not found either
+}
+
+void remove_leftovers(const std::vector<fs::path>& files)
+{
+    constexpr std::size_t random_letters = 6; // of mkostemp's names
+    std::map<fs::path, std::set<std::string>> names;
+    for (const fs::path& file : files)
+        names[folder_of(target_of(file))].insert(fmt::format(".{}", target_of(file).filename().string()));
+    for (const auto& [folder, known] : names) {
+        std::error_code error;
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+            const std::string name = entry.path().filename().string();
+            if (name.size() <= random_letters + 1 || name[name.size() - random_letters - 1] != '.') continue;
+            if (!known.contains(name.substr(0, name.size() - random_letters - 1))) continue;
+            const Descriptor leftover(::open(entry.path().c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW));
+            if (leftover.get() >= 0 && ::flock(leftover.get(), LOCK_EX | LOCK_NB) == 0) ::unlink(entry.path().c_str());
+        }
+    }
 }
 
 void require_writable(const fs::path& file)

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace clucida::host {
 
@@ -28,6 +29,13 @@ private:
     struct State; // keeps the system's headers out of this one
     std::unique_ptr<State> state_;
 };
+
+/// Marks a temporary file as in use for as long as the descriptor is open. What a process that was killed has left is
+/// told by that.
+void mark_in_use(int descriptor);
+
+/// Removes temporary files beside these ones that nobody writes any more: a process that was killed has left them.
+void remove_leftovers(const std::vector<std::filesystem::path>& files);
 
 /// Checks, before any work is done, that a file of this name could be written. @throws Failure saying why not
 void require_writable(const std::filesystem::path& file);

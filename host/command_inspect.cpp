@@ -1,4 +1,5 @@
 #include "host/commands.h"
+#include "scene/limits.h"
 #include "scene/report.h"
 #include "scene/write.h"
 
@@ -162,6 +163,9 @@ void add_inspect(CLI::App& app)
     auto options = std::make_shared<InspectOptions>();
     CLI::App* command = app.add_subcommand("inspect", "Tell what a scene needs: objects, features, bytes");
     add_scene_options(*command, options->scene);
+    command->add_option("--frame", options->scene.moment.frame, "of a sequence; else the first")
+        ->check(number_within(1, scene::limits::frames))
+        ->option_text("N");
     command->add_flag("--json", options->json, "as JSON");
     command->add_flag("--print", options->print, "write the scene as canonical text and nothing else");
     command->footer("Examples:\n  clucida inspect scene.clu\n  clucida inspect old.rayt --print > new.clu");

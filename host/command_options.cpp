@@ -1,5 +1,7 @@
 #include "host/commands.h"
 
+#include "scene/limits.h"
+
 #include <fmt/format.h>
 
 namespace clucida::host {
@@ -23,6 +25,14 @@ void add_scene_options(CLI::App& command, SceneOptions& options)
         ->option_text("NAME");
     command.add_option("--allow-path", options.allow_path, "photographs may also lie beneath this folder")
         ->option_text("FOLDER");
+    command.add_option("--set", options.parameters, "another value for a parameter of the scene; any number of times")
+        ->option_text("NAME=VALUE")
+        ->allow_extra_args(false);
+    command
+        .add_option("--frame-count", options.moment.frames,
+                    "of the whole sequence, over which the scene's t goes from 0 to 1; else as the scene says")
+        ->check(number_within(1, scene::limits::frames))
+        ->option_text("N");
     command.add_flag("--as-original", options.as_original,
                      "imitate the original program of the scene's format, defects included");
 }

@@ -12,6 +12,7 @@ void add_render(CLI::App& app);
 void add_devices(CLI::App& app);
 void add_inspect(CLI::App& app);
 void add_compare(CLI::App& app);
+void add_stream(CLI::App& app);
 
 /// SCENE, --format, --allow-path and --as-original.
 void add_scene_options(CLI::App& command, SceneOptions& options);

@@ -19,5 +19,6 @@ int main(int argc, char** argv)
     host::add_devices(app);
     host::add_inspect(app);
     host::add_compare(app);
+    host::add_stream(app);
     return host::run_guarded(app, argc, argv);
 }

@@ -22,11 +22,17 @@ constexpr Ending endings[] = {{"png", FileFormat::png}, {"jpg", FileFormat::jpeg
 
 } // namespace
 
-std::optional<FileFormat> file_format(std::string_view name)
+std::string lower_ending(std::string_view name)
 {
     const auto dot = name.rfind('.');
     std::string ending(dot == std::string_view::npos ? name : name.substr(dot + 1));
     for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return ending;
+}
+
+std::optional<FileFormat> file_format(std::string_view name)
+{
+    const std::string ending = lower_ending(name);
     for (const Ending& e : endings)
         if (e.ending == ending) return e.format;
     return std::nullopt;

@@ -14,14 +14,20 @@ namespace clucida::host {
 
 enum class FileFormat { png, jpeg, hdr, pfm, ppm };
 
+/// What follows a name's last dot, or all of it, in small letters.
+std::string lower_ending(std::string_view name);
+
 /// By the ending of a file's name, or by the ending alone ("png"); whatever the case.
 std::optional<FileFormat> file_format(std::string_view name);
 
 /// The endings there are, for messages: "png, jpg, ...".
 std::string file_endings();
 
-/// Keyword and text, UTF-8; kept by PNG only.
+/// Keyword and text, UTF-8; kept by PNG. Of the other formats all but pfm keep the fingerprint, as a comment.
 using Metadata = std::vector<std::pair<std::string, std::string>>;
+
+/// The keyword of the digest of what a picture is made of (host/fingerprint.h).
+inline constexpr const char* fingerprint_keyword = "Fingerprint";
 
 struct EncodeOptions {
     Transfer transfer = Transfer::srgb; ///< of png, jpeg and ppm; hdr and pfm are always linear

@@ -46,6 +46,23 @@ std::string encode_jpeg(unsigned width, unsigned height, const std::string& samp
     return out;
 }
 
+/// A text of the metadata as a line of a comment, with what begins and ends it; or nothing.
+std::string comment(const Metadata& metadata, std::string_view keyword, std::string_view begin, std::string_view end)
+{
+    for (const auto& [key, text] : metadata)
+        if (key == keyword) return fmt::format("{}{}: {}{}", begin, key, text, end);
+    return {};
+}
+
+/// A JPEG with a comment behind its first marker.
+std::string with_comment(const std::string& jpeg, const std::string& text)
+{
+    if (text.empty()) return jpeg;
+    const std::size_t length = text.size() + 2;
+    const std::string marker = {'\xFF', '\xFE', static_cast<char>(length >> 8), static_cast<char>(length & 255)};
+    return jpeg.substr(0, 2) + marker + text + jpeg.substr(2);
+}
+
 /// Rows of a Radiance picture, each coded by itself: what stb_image_write makes of a picture of these rows alone, its
 /// header of two paragraphs told apart.
 struct HdrRows {
@@ -87,12 +104,19 @@ struct PictureWriter::State {
         offset += bytes.size();
     }
 
+    /// What formats besides PNG keep of the metadata.
+    std::string kept_comment(std::string_view begin_, std::string_view end) const
+    {
+        return comment(options.metadata, fingerprint_keyword, begin_, end);
+    }
+
     void begin()
     {
         switch (format) {
         case FileFormat::png: png.emplace(width, height, options); break;
         case FileFormat::ppm:
-            append(fmt::format("P6\n{} {}\n{}\n", width, height, options.depth == 16 ? 65535 : 255));
+            append(fmt::format("P6\n{}{} {}\n{}\n", kept_comment("# ", "\n"), width, height,
+                               options.depth == 16 ? 65535 : 255));
             break;
         // A portable float map; a negative scale says least significant byte first.
         case FileFormat::pfm: append(fmt::format("PF\n{} {}\n-1.0\n", width, height)); break;
@@ -114,7 +138,11 @@ struct PictureWriter::State {
         case FileFormat::jpeg: jpeg += samples(rgb, 8, options.transfer); break;
         case FileFormat::hdr: {
             const HdrRows hdr = encode_hdr(width, rgb);
-            if (rows == 0) append(hdr.header + fmt::format("-Y {} +X {}\n", height, width));
+            if (rows == 0) {
+                const std::size_t line = hdr.header.find('\n') + 1;
+                append(hdr.header.substr(0, line) + kept_comment("# ", "\n") + hdr.header.substr(line) +
+                       fmt::format("-Y {} +X {}\n", height, width));
+            }
             append(hdr.rows);
             break;
         }
@@ -137,7 +165,8 @@ struct PictureWriter::State {
     void finish()
     {
         if (format == FileFormat::png) append(png->finish());
-        if (format == FileFormat::jpeg) append(encode_jpeg(width, height, jpeg, options.quality));
+        if (format == FileFormat::jpeg)
+            append(with_comment(encode_jpeg(width, height, jpeg, options.quality), kept_comment("", "")));
     }
 };
 

@@ -15,6 +15,8 @@ public:
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
+    bool shown() const { return shown_; }
+    void set_label(const std::string& label) { label_ = label; }
     void update(double fraction); ///< 0..1
 
 private:

@@ -41,6 +41,7 @@ void prepare_program(Renderer& renderer, const scene::Needs& needs, const Render
     renderer.needs = needs;
     renderer.precision = settings.precision;
     renderer.kernel = frame.kernel;
+    ++renderer.builds;
     frame.timings.build += renderer.program.build_seconds;
     frame.note = renderer.program.note;
 }

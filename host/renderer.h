@@ -76,6 +76,7 @@ struct Renderer {
     scene::Needs needs; ///< of the program; meaningless while it is empty
     Precision precision = Precision::single;
     KernelShape kernel = KernelShape::pixels;
+    unsigned builds = 0; ///< how often a program was built, or read from the cache
 };
 
 /// @throws Failure

@@ -30,28 +30,47 @@ scene::AsOriginal original_of(scene::Format format)
     throw UsageError("--as-original is for scenes of the original programs (gun, rayt); this one is clucida's own");
 }
 
-} // namespace
-
-SceneSource load_scene(const SceneOptions& options)
+scene::ReadOptions read_options(const SceneOptions& options)
 {
     scene::ReadOptions read;
     read.format = format_of_name(options.format);
     if (!options.allow_path.empty()) read.allow_path = options.allow_path;
+    read.moment = options.moment;
+    for (const std::string& text : options.parameters) {
+        const auto equals = text.find('=');
+        if (equals == 0 || equals == std::string::npos) throw UsageError("--set: '" + text + "' is no NAME=VALUE");
+        const std::string name = text.substr(0, equals);
+        if (!read.moment.parameters.emplace(name, text.substr(equals + 1)).second)
+            throw UsageError("--set gives '" + name + "' twice");
+    }
+    return read;
+}
 
+} // namespace
+
+SceneSource load_scene(const SceneOptions& options, scene::Usage* usage)
+{
     SceneSource out;
     const std::filesystem::path path(options.file);
     out.name = path.filename().string();
     out.stem = options.file == "-" ? "picture" : path.stem().string();
-    out.text = scene::load_scene_text(options.file, read);
+    out.text = scene::load_scene_text(options.file, read_options(options));
     if (options.as_original) out.as_original = original_of(out.text.format);
     // Of large texts this takes a sixth of the time that reading does, which waits for nothing of it.
     auto hash = std::async(std::launch::async, sha256, std::string_view(out.text.text));
-    out.scene = scene::read_scene(out.text.text, out.text.file, out.text.format, out.text.folder, read);
+    out.scene = read_moment(out, options, usage);
     out.hash = hash.get();
     return out;
 }
 
-scene::Compiled compile_scene(const SceneSource& source, scene::View view)
+scene::Scene read_moment(const SceneSource& source, const SceneOptions& options, scene::Usage* usage)
+{
+    const scene::SceneText& text = source.text;
+    return scene::read_scene(text.text, text.file, text.format, text.folder, read_options(options), usage);
+}
+
+scene::Compiled compile_scene(const SceneSource& source, const scene::Scene& scene, scene::View view,
+                              scene::PhotographCache* photographs)
 {
     view.as_original = source.as_original;
     if (view.as_original != scene::AsOriginal::none) {
@@ -60,7 +79,7 @@ scene::Compiled compile_scene(const SceneSource& source, scene::View view)
         if (!view.cutoff) view.cutoff = gun ? 0.1 : 1.0 / 256;
     }
     try {
-        return scene::compile(source.scene, view);
+        return scene::compile(scene, view, photographs);
     } catch (const scene::Error& e) {
         throw scene::located(e, source.text.file, source.text.text);
     }

@@ -30,6 +30,21 @@ void set_observer(LayoutFrame& frame, const Window& window)
     frame.window = 1;
 }
 
+/// To the right in the picture, of length 1.
+Vec3 right_of(const Scene& scene)
+{
+    if (const auto* o = std::get_if<Pinhole>(&scene.observer)) return unit(cross(o->look - o->eye, o->up));
+    return unit(std::get<Window>(scene.observer).column);
+}
+
+/// The eye moves, the window that it looks through stays: forward leads to the window's middle, which is as far as
+/// forward is long.
+void move_eye(LayoutFrame& frame, const Scene& scene, const Eye& eye)
+{
+    const Vec3 forward{frame.forward[0], frame.forward[1], frame.forward[2]};
+    store(frame.forward, forward - right_of(scene) * (eye.right * length(forward) / eye.screen));
+}
+
 /// The region that the observer's rays start in: a ball about the eye.
 double start_radius(const Scene& scene, const View& view)
 {
@@ -51,6 +66,7 @@ LayoutFrame make_frame(const Scene& scene, const View& view)
     frame.light_law = static_cast<u32>(scene.settings.light_law);
     frame.media_rule = static_cast<u32>(scene.settings.media_rule);
     std::visit([&](const auto& observer) { set_observer(frame, observer); }, scene.observer);
+    if (view.eye) move_eye(frame, scene, *view.eye);
     return frame;
 }
 
@@ -76,14 +92,23 @@ Vec3 eye_of(const Scene& scene)
     return std::visit([](const auto& observer) { return observer.eye; }, scene.observer);
 }
 
-Compiled compile(const Scene& scene, const View& view)
+double view_distance(const Scene& scene)
 {
-    const Vec3 eye = eye_of(scene);
+    if (const auto* o = std::get_if<Pinhole>(&scene.observer)) return length(o->look - o->eye);
+    const auto& window = std::get<Window>(scene.observer);
+    return length(window.view - window.eye);
+}
+
+Compiled compile(const Scene& scene, const View& view, PhotographCache* photographs)
+{
+    PhotographCache of_this_frame;
+    Vec3 eye = eye_of(scene);
+    if (view.eye) eye = eye + right_of(scene) * view.eye->right;
     LayoutFrame frame = make_frame(scene, view);
     Compiled compiled;
 
     ObjectBuffers objects = compile_objects(scene, eye, start_radius(scene, view));
-    OpticsBuffers optics = compile_optics(scene, eye, frame);
+    OpticsBuffers optics = compile_optics(scene, eye, frame, photographs ? *photographs : of_this_frame);
     Tree tree = build_tree(std::move(objects.boxes));
     frame.root_count = static_cast<u32>(tree.roots);
     frame.walk_reserve = static_cast<u32>(tree.reserve);

@@ -2,7 +2,6 @@
 
 #include "scene/error.h"
 #include "scene/pack.h"
-#include "scene/photograph.h"
 #include "scene/store.h"
 
 #include <bit>
@@ -56,7 +55,7 @@ std::uint32_t features_of(const Optics& o)
 /// Photographs that several textures use are stored once.
 class Images {
 public:
-    explicit Images(OpticsBuffers& buffers) : out(buffers) {}
+    Images(OpticsBuffers& buffers, PhotographCache& photographs) : out(buffers), cache(photographs) {}
 
     u32 add(const Photograph& photograph)
     {
@@ -64,12 +63,12 @@ public:
         const auto key = std::pair{photograph.file, flags};
         if (const auto found = known.find(key); found != known.end()) return found->second;
         if (out.texels.empty()) add_decoding_table();
-        const Texels texels = load_photograph(photograph);
+        const std::shared_ptr<const Texels> texels = cache.load(photograph);
         const std::size_t offset = out.texels.size();
-        if (offset + texels.rgb.size() > 1u << 29)
+        if (offset + texels->rgb.size() > 1u << 29)
             throw Error(photograph.at, "the scene's photographs are too large; expected at most 2^29 pixels in all");
-        out.texels.insert(out.texels.end(), texels.rgb.begin(), texels.rgb.end());
-        out.images.push_back({static_cast<u32>(offset), texels.width, texels.height, flags});
+        out.texels.insert(out.texels.end(), texels->rgb.begin(), texels->rgb.end());
+        out.images.push_back({static_cast<u32>(offset), texels->width, texels->height, flags});
         return known[key] = static_cast<u32>(out.images.size() - 1);
     }
 
@@ -81,6 +80,7 @@ private:
     }
 
     OpticsBuffers& out;
+    PhotographCache& cache;
     std::map<std::pair<std::string, u32>, u32> known;
 };
 
@@ -200,10 +200,10 @@ std::uint32_t light_feature(LightLaw law)
 
 } // namespace
 
-OpticsBuffers compile_optics(const Scene& scene, Vec3 eye, LayoutFrame& frame)
+OpticsBuffers compile_optics(const Scene& scene, Vec3 eye, LayoutFrame& frame, PhotographCache& photographs)
 {
     OpticsBuffers out;
-    Images images(out);
+    Images images(out, photographs);
     for (const Optics& optics : scene.optics) out.optics.push_back(layout(optics));
     for (const Object& object : scene.objects) {
         out.features |= features_of(scene.optics[object.optics]);

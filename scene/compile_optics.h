@@ -4,6 +4,7 @@
 #include "kernels/layout.h"
 #include "scene/compile.h"
 #include "scene/linear.h"
+#include "scene/photograph.h"
 
 namespace clucida::scene {
 
@@ -17,6 +18,6 @@ struct OpticsBuffers {
 };
 
 /// Sets the sky in frame too.
-OpticsBuffers compile_optics(const Scene& scene, Vec3 eye, LayoutFrame& frame);
+OpticsBuffers compile_optics(const Scene& scene, Vec3 eye, LayoutFrame& frame, PhotographCache& photographs);
 
 } // namespace clucida::scene

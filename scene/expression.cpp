@@ -1,7 +1,9 @@
 #include "scene/expression.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <fmt/format.h>
 #include <muParser.h>
 #include <numbers>
@@ -53,38 +55,154 @@ std::size_t offset_of(const mu::ParserError& error, std::string_view text)
     return before == std::string_view::npos ? position : before;
 }
 
+bool is_time(std::string_view word)
+{
+    return word == "t" || word == "frames";
+}
+
+/// Numbers within 0 and 1 that look random and are the same for the same arguments everywhere (SplitMix64: Steele, Lea
+/// and Flood 2014).
+double random_of(const double* arguments, int count)
+{
+    std::uint64_t state = 0x9E3779B97F4A7C15;
+    for (int i = 0; i < count; ++i) {
+        const double number = arguments[i] + 0.0; // -0 is 0
+        state = (state ^ std::bit_cast<std::uint64_t>(number)) + 0x9E3779B97F4A7C15;
+        state = (state ^ (state >> 30)) * 0xBF58476D1CE4E5B9;
+        state = (state ^ (state >> 27)) * 0x94D049BB133111EB;
+        state ^= state >> 31;
+    }
+    return static_cast<double>(state >> 11) * 0x1p-53;
+}
+
+double smooth_step(double from, double to, double x)
+{
+    const double s = std::clamp((x - from) / (to - from), 0.0, 1.0);
+    return s * s * (3 - 2 * s);
+}
+
+void define_functions(mu::Parser& mu)
+{
+    using One = mu::fun_type1;
+    using Two = mu::fun_type2;
+    using Three = mu::fun_type3;
+    mu.DefineFun("floor", static_cast<One>([](double x) { return std::floor(x); }));
+    mu.DefineFun("ceil", static_cast<One>([](double x) { return std::ceil(x); }));
+    mu.DefineFun("radians", static_cast<One>([](double x) { return x * (std::numbers::pi / 180); }));
+    mu.DefineFun("degrees", static_cast<One>([](double x) { return x * (180 / std::numbers::pi); }));
+    mu.DefineFun("mod", static_cast<Two>([](double x, double y) { return x - y * std::floor(x / y); }));
+    mu.DefineFun("clamp",
+                 static_cast<Three>([](double x, double lo, double hi) { return std::min(std::max(x, lo), hi); }));
+    mu.DefineFun("mix", static_cast<Three>([](double a, double b, double x) { return a + (b - a) * x; }));
+    mu.DefineFun("smoothstep", static_cast<Three>(smooth_step));
+    mu.DefineFun("random", static_cast<mu::multfun_type>(random_of));
+}
+
 } // namespace
 
-Expressions::Expressions() : parser_(std::make_unique<Parser>())
+Expressions::Expressions(const Moment& moment) : parser_(std::make_unique<Parser>()), moment_(moment)
 {
-    parser_->mu.DefineConst("pi", std::numbers::pi);
-    parser_->mu.DefineConst("e", std::numbers::e);
-    parser_->mu.DefineConst("tau", 2 * std::numbers::pi);
-    parser_->mu.DefineFun("floor", static_cast<mu::fun_type1>([](double x) { return std::floor(x); }));
-    parser_->mu.DefineFun("ceil", static_cast<mu::fun_type1>([](double x) { return std::ceil(x); }));
+    mu::Parser& mu = parser_->mu;
+    mu.DefineConst("pi", std::numbers::pi);
+    mu.DefineConst("e", std::numbers::e);
+    mu.DefineConst("tau", 2 * std::numbers::pi);
+    define_functions(mu);
+    mu.DefineConst("frame", moment.frame);
+    define_time();
 }
 
 Expressions::~Expressions() = default;
 
-void Expressions::define(Cursor& cursor)
+/// From 0 in the first frame to 1 in the last; of a loop the first frame comes again where it would be 1.
+void Expressions::define_time()
+{
+    const unsigned frames = moment_.frames > 0 ? moment_.frames : sequence_.frames;
+    if (frames == 0) return;
+    const double steps = sequence_.loop ? frames : std::max(frames - 1, 1U);
+    parser_->mu.DefineConst("t", (static_cast<double>(moment_.frame) - 1) / steps);
+    parser_->mu.DefineConst("frames", frames);
+}
+
+void Expressions::set_sequence(const Sequence& sequence)
+{
+    sequence_ = sequence;
+    define_time();
+}
+
+std::string Expressions::new_name(Cursor& cursor, std::string_view what, Location& at)
 {
     cursor.skip_blanks();
-    const Location at = cursor.here();
-    const std::string name(cursor.word());
-    if (name.empty()) cursor.fail_expected("a name for the constant");
+    at = cursor.here();
+    std::string name(cursor.word());
+    if (name.empty()) cursor.fail_expected(fmt::format("a name for the {}", what));
     if (const auto first = lines_.find(name); first != lines_.end()) {
         cursor.fail(at, fmt::format("'{}' is defined in line {} already", name, first->second));
     }
-    if (parser_->mu.GetConst().contains(name) || parser_->mu.GetFunDef().contains(name)) {
+    if (parser_->mu.GetConst().contains(name) || parser_->mu.GetFunDef().contains(name) || is_time(name)) {
         cursor.fail(at, fmt::format("'{}' has a meaning already; expected another name", name));
     }
-    cursor.expect('=', "after the constant's name");
-    if (at_vector(cursor)) {
-        vectors_.emplace(name, vector(cursor));
-    } else {
-        parser_->mu.DefineConst(name, number(cursor, "a number or a vector [x, y, z]"));
-    }
+    cursor.expect('=', "after the {}'s name", what);
+    return name;
+}
+
+Expressions::Value Expressions::value(Cursor& cursor)
+{
+    if (at_vector(cursor)) return vector(cursor);
+    return number(cursor, "a number or a vector [x, y, z]");
+}
+
+void Expressions::keep(const std::string& name, Location at, const Value& value)
+{
+    if (const auto* v = std::get_if<Vec3>(&value))
+        vectors_.emplace(name, *v);
+    else
+        parser_->mu.DefineConst(name, std::get<double>(value));
     lines_.emplace(name, at.line);
+}
+
+void Expressions::define(Cursor& cursor)
+{
+    Location at;
+    const std::string name = new_name(cursor, "constant", at);
+    keep(name, at, value(cursor));
+}
+
+void Expressions::define_parameter(Cursor& cursor)
+{
+    Location at;
+    const std::string name = new_name(cursor, "parameter", at);
+    Value own = value(cursor);
+    if (const auto given = moment_.parameters.find(name); given != moment_.parameters.end()) {
+        const Value other = given_value(name, given->second);
+        if (own.index() != other.index())
+            throw Error(fmt::format("--set {}={}: error: expected {}", name, given->second,
+                                    own.index() == 0 ? "a number" : "a vector [x, y, z]"));
+        own = other;
+    }
+    keep(name, at, own);
+    parameters_.push_back(name);
+}
+
+/// A parameter's value as it was given outside of the scene.
+Expressions::Value Expressions::given_value(const std::string& name, const std::string& text)
+{
+    const Source source{fmt::format("--set {}", name), text};
+    Cursor cursor(source);
+    Value out = value(cursor);
+    cursor.skip_blanks();
+    if (!cursor.at_end()) cursor.fail_expected("the end of the value");
+    return out;
+}
+
+void Expressions::check_parameters(const Source& source) const
+{
+    for (const auto& [name, text] : moment_.parameters) {
+        if (std::ranges::find(parameters_, name) != parameters_.end()) continue;
+        const std::vector<std::string_view> names(parameters_.begin(), parameters_.end());
+        const std::string there = names.empty() ? "none" : listed(names);
+        throw Error(fmt::format("{}: error: the scene has no parameter '{}', which --set gives; there is {}{}",
+                                source.file, name, there, suggestion(name, names)));
+    }
 }
 
 double Expressions::number(Cursor& cursor, std::string_view expected, std::string_view and_more)
@@ -119,7 +237,7 @@ double Expressions::evaluate(Cursor& cursor, const Extent& extent)
 }
 
 /// Names that stand for no number get a better message here than muParser has, and assignments none of its favours.
-void Expressions::check_words(Cursor& cursor, const Extent& extent) const
+void Expressions::check_words(Cursor& cursor, const Extent& extent)
 {
     const std::string_view text = extent.text;
     for (std::size_t i = 0; i < text.size();) {
@@ -143,6 +261,12 @@ void Expressions::check_words(Cursor& cursor, const Extent& extent) const
         const auto& constants = parser_->mu.GetConst();
         if (vectors_.contains(word)) {
             cursor.fail(extent.place(i), fmt::format("'{}' is a vector; expected a number", word));
+        }
+        if (word == "t" || word == "frame") usage_.time = true;
+        if (is_time(word) && !constants.contains(word)) {
+            cursor.fail(extent.place(i), fmt::format("'{}' is not known, for nothing says how many frames there are; "
+                                                     "expected 'sequence {{ frames N }}' before",
+                                                     word));
         }
         if (!functions.contains(word) && !constants.contains(word)) {
             std::vector<std::string_view> names;

@@ -16,6 +16,7 @@ inline constexpr std::size_t expression_length = 4096;
 inline constexpr std::size_t path_length = 4096;
 inline constexpr unsigned photograph_side = 16384;
 inline constexpr unsigned hops = 1'000'000;
+inline constexpr unsigned frames = 1'000'000;
 /// Numbers are 0 or within the range of normal 32-bit floats, for that is what the device computes with.
 inline constexpr double smallest = 1.1754943508222875e-38, largest = 3.4028234663852886e38;
 

@@ -244,7 +244,16 @@ struct Settings {
     bool operator==(const Settings&) const = default;
 };
 
+/// What the scene says of the sequence that it is a frame of.
+struct Sequence {
+    unsigned frames = 0; ///< 1 to limits::frames; 0: it does not say
+    double fps = 24;     ///< frames per second
+    bool loop = false;   ///< the frame after the last would be the first
+    bool operator==(const Sequence&) const = default;
+};
+
 struct Scene {
+    Sequence sequence;
     Observer observer;
     Sky sky;
     Settings settings;

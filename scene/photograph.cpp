@@ -89,4 +89,12 @@ Texels load_photograph(const Photograph& photograph)
     return from_stb(image.get(), width, height);
 }
 
+std::shared_ptr<const Texels> PhotographCache::load(const Photograph& photograph)
+{
+    const std::lock_guard lock(mutex_); // while it is read, too: others are likely to want the same
+    auto& texels = known_[photograph.file];
+    if (!texels) texels = std::make_shared<const Texels>(load_photograph(photograph));
+    return texels;
+}
+
 } // namespace clucida::scene

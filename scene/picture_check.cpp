@@ -11,6 +11,7 @@ struct Bytes {
     std::string_view text;
     std::size_t at = 0;
     bool ended() const { return at >= text.size(); }
+    std::size_t left() const { return text.size() - at; }
     unsigned next() { return ended() ? 0U : static_cast<unsigned char>(text[at++]); }
     unsigned next_two()
     {
@@ -115,7 +116,9 @@ std::string radiance_fault(std::string_view text)
                 const unsigned count = bytes.next();
                 const unsigned run = count > 128 ? count - 128 : count;
                 if (run == 0 || run > left) return "a run of the Radiance picture is wrong";
-                bytes.skip(count > 128 ? 1 : run);
+                const std::size_t values = count > 128 ? 1 : run;
+                if (bytes.left() < values) return "the Radiance picture is cut short";
+                bytes.skip(values);
                 left -= run;
             }
         }

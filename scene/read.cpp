@@ -61,21 +61,27 @@ Format format_of(const fs::path& file)
 }
 
 Scene read_scene(std::string_view text, const std::string& file, Format format, const fs::path& folder,
-                 const ReadOptions& options)
+                 const ReadOptions& options, Usage* usage)
 {
     if (text.size() > limits::text_bytes) throw too_large(file);
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-    const Source source{file, text};
+    const Moment& moment = options.moment;
+    const Source source{file, text, moment.frames > 1 ? fmt::format(" (in frame {})", moment.frame) : ""};
     if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
         source.fail(place_of(text, nul), "a NUL byte; expected text in UTF-8");
     }
     PhotographFinder photographs(source, folder, options);
+    Usage used;
+    if (format != Format::clucida && !moment.parameters.empty())
+        throw Error(fmt::format("{}: error: scenes of this format have no parameters", file));
     switch (format) {
     case Format::gun: return read_gun(source, photographs);
     case Format::rayt: return read_rayt(source, photographs);
     case Format::clucida: break;
     }
-    return read_clucida(source, photographs);
+    Scene scene = read_clucida(source, photographs, moment, used);
+    if (usage != nullptr) *usage = used;
+    return scene;
 }
 
 SceneText load_scene_text(const std::string& file, const ReadOptions& options)

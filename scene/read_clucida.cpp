@@ -36,12 +36,14 @@ struct Names {
 
 class Reader {
 public:
-    Reader(const Source& source, PhotographFinder& photographs)
-        : source_(source), photographs_(photographs), cursor_(source), solids_(cursor_, expressions_)
+    Reader(const Source& source, PhotographFinder& photographs, const Moment& moment)
+        : source_(source), photographs_(photographs), cursor_(source), expressions_(moment),
+          solids_(cursor_, expressions_)
     {
     }
 
     Scene read();
+    const Usage& usage() const { return expressions_.usage(); }
 
 private:
     void version();
@@ -62,6 +64,7 @@ private:
     void photograph(Photograph& photograph);
 
     void settings();
+    void sequence();
     void observer();
     void pinhole();
     void window();
@@ -81,11 +84,11 @@ private:
     SolidReader solids_;
     Scene scene_;
     Names optics_{"optics"}, textures_{"texture"}, objects_{"object"};
-    std::size_t settings_line_ = 0, observer_line_ = 0, sky_line_ = 0;
+    std::size_t settings_line_ = 0, sequence_line_ = 0, observer_line_ = 0, sky_line_ = 0;
 };
 
-const std::vector<std::string_view> statements{"let",   "settings", "observer", "sky",   "light",
-                                               "solid", "optics",   "texture",  "object"};
+const std::vector<std::string_view> statements{"let",   "parameter", "settings", "sequence", "observer", "sky",
+                                               "light", "solid",     "optics",   "texture",  "object"};
 
 Scene Reader::read()
 {
@@ -100,6 +103,7 @@ Scene Reader::read()
         cursor_.end_statement();
     }
     if (observer_line_ == 0) cursor_.fail_expected("an observer: the scene has none");
+    expressions_.check_parameters(source_);
     return std::move(scene_);
 }
 
@@ -118,6 +122,7 @@ void Reader::version()
 void Reader::statement(std::string_view word, Location at)
 {
     if (word == "let") return expressions_.define(cursor_);
+    if (word == "parameter") return expressions_.define_parameter(cursor_);
     if (word == "solid") return solids_.define();
     if (word == "optics") return define_optics(at);
     if (word == "texture") return define_texture(at);
@@ -126,6 +131,10 @@ void Reader::statement(std::string_view word, Location at)
     if (word == "settings") {
         once(settings_line_, at, "the settings");
         return settings();
+    }
+    if (word == "sequence") {
+        once(sequence_line_, at, "the sequence");
+        return sequence();
     }
     if (word == "observer") {
         once(observer_line_, at, "the observer");
@@ -297,6 +306,28 @@ void Reader::settings()
         s.media_rule = choice({"nearest", "rank"}) == "rank" ? MediaRule::rank : MediaRule::nearest;
     };
     block("the settings", {{"hops", hops}, {"cutoff", cutoff}, {"light_law", light_law}, {"media", media}});
+}
+
+void Reader::sequence()
+{
+    Sequence& s = scene_.sequence;
+    const auto frames = [&] {
+        cursor_.skip_blanks();
+        const Location at = cursor_.here();
+        const double value = expressions_.number(cursor_);
+        if (!(value >= 1 && value <= limits::frames) || value != std::floor(value)) {
+            source_.fail(at, fmt::format("expected a whole number of frames within 1 and {}", limits::frames));
+        }
+        s.frames = static_cast<unsigned>(value);
+    };
+    const auto fps = [&] {
+        cursor_.skip_blanks();
+        const Location at = cursor_.here();
+        s.fps = expressions_.number(cursor_);
+        if (!(s.fps > 0 && s.fps <= 1000)) source_.fail(at, "expected frames per second above 0, and 1000 at most");
+    };
+    block("the sequence", {{"frames", frames}, {"fps", fps}, {"loop", [&] { s.loop = true; }}});
+    expressions_.set_sequence(s);
 }
 
 void Reader::observer()
@@ -475,9 +506,12 @@ void Reader::object(Location at)
 
 } // namespace
 
-Scene read_clucida(const Source& source, PhotographFinder& photographs)
+Scene read_clucida(const Source& source, PhotographFinder& photographs, const Moment& moment, Usage& usage)
 {
-    return Reader(source, photographs).read();
+    Reader reader(source, photographs, moment);
+    Scene scene = reader.read();
+    usage = reader.usage();
+    return scene;
 }
 
 } // namespace clucida::scene

@@ -16,11 +16,12 @@
 
 namespace clucida::scene {
 
-/// A text and its name.
+/// A text and its name, and what an error adds: the frame, where there are several.
 struct Source {
     std::string file;
     std::string_view text;
-    [[noreturn]] void fail(Location at, const std::string& what) const { throw Error(file, at, what, text); }
+    std::string frame = {};
+    [[noreturn]] void fail(Location at, const std::string& what) const { throw Error(file, at, what + frame, text); }
 };
 
 /// A wrong value: which of a thing's arguments, counted from 0 in the order of its fields, and why.
@@ -74,7 +75,8 @@ private:
     std::map<std::string, std::string, std::less<>> found_;
 };
 
-Scene read_clucida(const Source& source, PhotographFinder& photographs);
+/// @throws Error also for parameters that the scene does not have
+Scene read_clucida(const Source& source, PhotographFinder& photographs, const Moment& moment, Usage& usage);
 Scene read_gun(const Source& source, PhotographFinder& photographs);
 Scene read_rayt(const Source& source, PhotographFinder& photographs);
 

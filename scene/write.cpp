@@ -339,6 +339,15 @@ std::string print(const Settings& s)
     return s == standard ? "" : fmt::format("settings {}\n", block.text());
 }
 
+std::string print(const Sequence& s)
+{
+    Block block;
+    if (s.frames != 0) block.add("frames", fmt::format("{}", s.frames));
+    block.add_unless(Sequence{}.fps, "fps", s.fps);
+    if (s.loop) block.add("loop", "");
+    return s == Sequence{} ? "" : fmt::format("sequence {}\n", block.text());
+}
+
 std::string print(const Observer& observer)
 {
     Block block;
@@ -384,7 +393,8 @@ std::string print(const Light& light)
 
 std::string print_scene(const Scene& scene)
 {
-    std::string out = fmt::format("clucida 1\n{}{}{}", print(scene.settings), print(scene.observer), print(scene.sky));
+    std::string out = fmt::format("clucida 1\n{}{}{}{}", print(scene.settings), print(scene.sequence),
+                                  print(scene.observer), print(scene.sky));
     for (const Light& light : scene.lights) out += print(light);
     SolidWriter solids(scene);
     Items optics("optics", scene.optics);

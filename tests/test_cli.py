@@ -259,13 +259,19 @@ class Cli(unittest.TestCase):
                 self.run_program("compare", "a.pfm", name, "--fail-above", limit)
         self.run_program("compare", "a.png", "a.ppm", "--fail-above", "0")
 
-    def test_an_existing_picture_is_replaced_unless_it_is_to_be_kept(self):
-        for arguments, kept in ((["--skip-existing"], True), ([], False), (["--overwrite"], False)):
+    def test_an_existing_picture_is_replaced_unless_it_would_be_the_same(self):
+        for arguments in (["--skip-existing"], [], ["--overwrite"]):
             with open(self.path("a.png"), "w") as file:
                 file.write("old")
             self.render("-o", "a.png", *arguments)
             with open(self.path("a.png"), "rb") as file:
-                self.assertEqual(file.read() == b"old", kept)
+                self.assertNotEqual(file.read(), b"old")
+        before = os.stat(self.path("a.png"))
+        _, err = self.render("-o", "a.png", "--skip-existing")
+        self.assertIn("kept", err)
+        self.assertEqual(os.stat(self.path("a.png")), before)
+        self.render("-o", "a.png", "--skip-existing", "--samples", "2")
+        self.assertNotEqual(os.stat(self.path("a.png")).st_mtime_ns, before.st_mtime_ns)
 
     def test_a_place_that_cannot_be_written_ends_with_1_before_rendering(self):
         for output in ("none/a.png", "scene.clu/a.png"):
@@ -313,7 +319,8 @@ class Cli(unittest.TestCase):
                 self.assertEqual(code, 0)
                 self.assertLess(large - small, 40 << 20)
         with open(self.path("a.ppm"), "rb") as file:
-            self.assertEqual(len(file.read()), len(f"P6\n{side} {side}\n255\n") + side * side * 3)
+            comment = len("# Fingerprint: \n") + 64
+            self.assertEqual(len(file.read()), len(f"P6\n{side} {side}\n255\n") + comment + side * side * 3)
 
     def test_an_interrupt_ends_with_130_and_leaves_no_file(self):
         self.render("-o", "warm.png")  # so that the kernel is compiled

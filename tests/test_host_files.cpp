@@ -34,6 +34,21 @@ protected:
     fs::path folder;
 };
 
+TEST_F(Files, leftovers_of_those_that_were_killed_are_removed_and_what_is_in_use_is_not)
+{
+    write_file(folder / ".a.abcdef", "left");
+    write_file(folder / ".a.abcdefg", "another thing");
+    write_file(folder / ".b.abcdef", "of another file");
+    PendingFile pending(folder / "a");
+    pending.write(0, "half");
+    ASSERT_EQ(count(), 4U);
+    remove_leftovers({folder / "a", folder / "none"});
+    EXPECT_EQ(count(), 3U);
+    EXPECT_FALSE(fs::exists(folder / ".a.abcdef"));
+    pending.commit();
+    EXPECT_EQ(read_file(folder / "a"), "half");
+}
+
 TEST_F(Files, a_file_appears_with_its_bytes_and_nothing_beside_it)
 {
     write_file(folder / "a", "first");

@@ -1,4 +1,4 @@
-#include "bench/child_process.h"
+#include "host/child_process.h"
 
 #include "host/errors.h"
 
@@ -11,7 +11,7 @@
 #include <cerrno>
 #include <cstring>
 
-namespace clucida::bench {
+namespace clucida::host {
 namespace {
 
 class FileActions {
@@ -63,7 +63,7 @@ pid_t start_child(const std::vector<std::string>& command, const Environment& en
     pid_t child = -1;
     const int error = ::posix_spawnp(&child, command.front().c_str(), actions.get(), nullptr,
                                      pointers(arguments).data(), pointers(variables).data());
-    if (error) throw host::Failure(fmt::format("cannot start {}: {}", command.front(), std::strerror(error)));
+    if (error) throw Failure(fmt::format("cannot start {}: {}", command.front(), std::strerror(error)));
     return child;
 }
 
@@ -76,7 +76,7 @@ std::string describe_end(int status)
 bool run_child(const std::vector<std::string>& command, const std::string& output_file)
 {
     const int output = ::open(output_file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-    if (output < 0) throw host::Failure(fmt::format("cannot write {}: {}", output_file, std::strerror(errno)));
+    if (output < 0) throw Failure(fmt::format("cannot write {}: {}", output_file, std::strerror(errno)));
     pid_t child = -1;
     try {
         child = start_child(command, {}, {-1, output, output});
@@ -90,4 +90,4 @@ bool run_child(const std::vector<std::string>& command, const std::string& outpu
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-} // namespace clucida::bench
+} // namespace clucida::host
