@@ -29,7 +29,7 @@ TEST(ReadErrors, StatementsThatAreNone)
     });
     expect_all({{"@clucida 1", "first statement only"},
                 {"@objct { }", "did you mean 'object'?"},
-                {"@foo { }", "expected let, settings"},
+                {"@foo { }", "expected let, parameter, settings"},
                 {"@42", "expected a statement"},
                 {"light { point [0,0,0] } @light { point [0,0,0] }", "expected a new line or ';'"},
                 {"@}", "expected a statement"},
