@@ -16,4 +16,4 @@ set_tests_properties(test_sequence PROPERTIES TIMEOUT 600)
 # A real Slurm on loopback, and GNU parallel: half a minute.
 add_test(NAME test_many_machines COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/test_many_machines.py
          $<TARGET_FILE:clucida>)
-set_tests_properties(test_many_machines PROPERTIES TIMEOUT 600)
+set_tests_properties(test_many_machines PROPERTIES TIMEOUT 600 RUN_SERIAL TRUE)
