@@ -70,5 +70,7 @@ endforeach()
 # A launch a ray: on the device fewer cases.
 find_package(rapidcheck REQUIRED)
 clucida_kernel_test(test_properties rapidcheck)
-set_tests_properties(test_properties_on_device PROPERTIES
+if(NOT CLUCIDA_SANITIZE)
+  set_tests_properties(test_properties_on_device PROPERTIES
                      ENVIRONMENT "RC_PARAMS=seed=20160729 max_success=200 max_discard_ratio=50")
+endif()
