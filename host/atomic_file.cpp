@@ -141,7 +141,7 @@ struct PendingFile::State {
 PendingFile::PendingFile(const fs::path& file) : state_(std::make_unique<State>(file))
 {
     if (state_->out.get() < 0) fail("cannot write", file.string());
-    mark_in_use(state_->out.get());
+    ::flock(state_->out.get(), LOCK_EX | LOCK_NB); // what is not locked is a leftover; where files cannot be, none is
 }
 
 PendingFile::~PendingFile() = default;
@@ -157,6 +157,14 @@ void PendingFile::write(std::uint64_t offset, std::string_view bytes)
             fail("cannot write", state_->file.string());
         }
     }
+}
+
+const std::string& PendingFile::temporary_name() const
+{
+    if (state_->copied)
+        throw Failure(fmt::format("cannot write {}: another program writes it, and that needs a regular file",
+                                  state_->file.string()));
+    return state_->name;
 }
 
 void PendingFile::commit()
@@ -176,11 +184,6 @@ void PendingFile::commit()
         fail("cannot write", s.file.string());
     s.temporary.keep();
     if (!s.out.close()) fail("cannot write", s.file.string());
-}
-
-void mark_in_use(int descriptor)
-{
-    ::flock(descriptor, LOCK_EX | LOCK_NB); // where files cannot be locked, leftovers are not found either
 }
 
 void remove_leftovers(const std::vector<fs::path>& files)

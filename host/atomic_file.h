@@ -22,6 +22,8 @@ public:
     PendingFile& operator=(const PendingFile&) = delete;
 
     void write(std::uint64_t offset, std::string_view bytes);
+    /// For another program to write to instead. @throws Failure if there is none, for the target is no regular file
+    const std::string& temporary_name() const;
     /// Flushes it to the disk and gives it its name; or copies it to where it is to go.
     void commit();
 
@@ -30,11 +32,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Marks a temporary file as in use for as long as the descriptor is open. What a process that was killed has left is
-/// told by that.
-void mark_in_use(int descriptor);
-
-/// Removes temporary files beside these ones that nobody writes any more: a process that was killed has left them.
+/// Removes temporary files beside these ones that no PendingFile is at: a process that was killed has left them.
 void remove_leftovers(const std::vector<std::filesystem::path>& files);
 
 /// Checks, before any work is done, that a file of this name could be written. @throws Failure saying why not

@@ -47,7 +47,7 @@ void render_still(const RenderOptions& o, SceneSource source, const Output& outp
                   Stages stages)
 {
     const RenderSettings settings = settings_of(o);
-    EncodeOptions encoding = encoding_of(o, source, "");
+    EncodeOptions encoding = encoding_of(o, source);
     require_encodable(settings.picture.width, settings.picture.height, output.format, encoding);
     Stopwatch watch;
     CompiledFrame frame_scene;
@@ -55,20 +55,19 @@ void render_still(const RenderOptions& o, SceneSource source, const Output& outp
     const scene::Compiled& compiled = frame_scene.eyes.front();
     source.scene = {}; // a million objects are some hundred MiB, which tracing need not keep
     source.text = {};
-    encoding.metadata.emplace_back("Frame", fmt::format("{}", o.scene.moment.frame));
+    std::string fingerprint;
     if (output.file != "-" && (o.skip_existing || bytes_of(compiled) <= most_fingerprinted)) {
-        const std::string fingerprint =
-            Fingerprints().of(frame_scene, settings.precision, StereoLayout::none, output.format, encoding);
+        fingerprint = Fingerprints().of(frame_scene, settings.precision, StereoLayout::none, output.format, encoding);
         if (o.skip_existing && is_same_picture(output.file, fingerprint)) {
             if (!o.quiet) fmt::print(stderr, "{} is whole and would be the same, kept\n", output.file);
             return;
         }
-        encoding.metadata.emplace_back(fingerprint_keyword, fingerprint);
     }
     stages.compile = watch.lap();
     const Device device = device_of(o);
-    for (auto& [keyword, text] : encoding.metadata)
-        if (keyword == "Device") text = describe(device.info);
+    encoding.metadata.emplace_back("Device", describe(device.info));
+    encoding.metadata.emplace_back("Frame", fmt::format("{}", o.scene.moment.frame));
+    if (!fingerprint.empty()) encoding.metadata.emplace_back(fingerprint_keyword, fingerprint);
     stages.devices = watch.lap();
 
     Renderer renderer = make_renderer(device);

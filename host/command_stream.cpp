@@ -193,13 +193,9 @@ private:
         write_all(STDOUT_FILENO, body, "standard output");
     }
 
-    Picture render(scene::Compiled compiled)
+    Picture render(const scene::Compiled& compiled)
     {
-        // A kernel that serves all scenes so far: a film whose frames differ in what they need is not built for each.
-        if (needs_) compiled.needs = unite(*needs_, compiled.needs);
-        Frame frame = render_frame(renderer_, compiled, settings_, {{}, interrupted, {}});
-        needs_ = unite(compiled.needs, frame.needs);
-        settings_.tile = frame.tile; // measured once
+        Frame frame = render_next(renderer_, compiled, settings_, needs_, {{}, interrupted, {}});
         const std::string faults = describe_faults(frame.statistics);
         if (!faults.empty()) fmt::print(stderr, "clucida: warning: the picture has faults: {}\n", faults);
         return std::move(frame.picture);
@@ -223,7 +219,7 @@ private:
     Renderer renderer_;
     std::filesystem::path folder_;
     scene::PhotographCache photographs_;
-    std::optional<scene::Needs> needs_;
+    scene::Needs needs_; ///< of all scenes so far
     Input input_;
 };
 

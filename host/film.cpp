@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 #include <signal.h>
 #include <sys/mman.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,8 +16,9 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
+#include <iterator>
 #include <numeric>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -48,53 +48,23 @@ std::string planes_of(std::span<const std::uint8_t> rgb)
     return out;
 }
 
+std::vector<std::string> words(std::string_view text)
+{
+    std::istringstream stream{std::string(text)};
+    return {std::istream_iterator<std::string>(stream), {}};
+}
+
 std::vector<std::string> encoder_arguments(FilmFormat format)
 {
+    const std::string halved = "-vf scale=out_color_matrix=bt709:out_range=tv,format=yuv420p -colorspace bt709 "
+                               "-color_primaries bt709 -color_trc iec61966-2-1 ";
     switch (format) {
-    case FilmFormat::mp4:
-        return {"-vf",
-                "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p",
-                "-colorspace",
-                "bt709",
-                "-color_primaries",
-                "bt709",
-                "-color_trc",
-                "iec61966-2-1",
-                "-c:v",
-                "libx264",
-                "-crf",
-                "17",
-                "-movflags",
-                "+faststart",
-                "-f",
-                "mp4"};
-    case FilmFormat::webm:
-        return {"-vf",
-                "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p",
-                "-colorspace",
-                "bt709",
-                "-color_primaries",
-                "bt709",
-                "-color_trc",
-                "iec61966-2-1",
-                "-c:v",
-                "libvpx-vp9",
-                "-crf",
-                "24",
-                "-b:v",
-                "0",
-                "-row-mt",
-                "1",
-                "-f",
-                "webm"};
+    case FilmFormat::mp4: return words(halved + "-c:v libx264 -crf 17 -movflags +faststart -f mp4");
+    case FilmFormat::webm: return words(halved + "-c:v libvpx-vp9 -crf 24 -b:v 0 -row-mt 1 -f webm");
     case FilmFormat::gif:
-        return {"-filter_complex",
-                "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=bayer",
-                "-loop",
-                "0",
-                "-f",
-                "gif"};
-    default: return {"-c:v", "ffv1", "-pix_fmt", "gbrp", "-f", "matroska"};
+        return words("-filter_complex split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=bayer "
+                     "-loop 0 -f gif");
+    default: return words("-c:v ffv1 -pix_fmt gbrp -f matroska");
     }
 }
 
@@ -178,21 +148,15 @@ struct Film::Stream : Film::Sink {
     }
 };
 
-/// ffmpeg as a child, which reads frames from a pipe and writes a temporary file beside the film's own.
+/// ffmpeg as a child, which reads frames from a pipe and writes the film's temporary file.
 struct Film::Encoder : Film::Sink {
-    std::string name, temporary;
-    int file = -1;                ///< the temporary one, held so that it counts as in use
+    std::string name;
+    PendingFile file;
     int to_child = -1, said = -1; ///< said: what it prints
     pid_t child = -1;
 
-    Encoder(const std::string& name_, FilmFormat format, Shape size, Rate rate) : name(name_)
+    Encoder(const std::string& name_, FilmFormat format, Shape size, Rate rate) : name(name_), file(name_)
     {
-        require_writable(name);
-        const std::filesystem::path path(name);
-        temporary = (path.parent_path() / fmt::format(".{}.XXXXXX", path.filename().string())).string();
-        file = ::mkostemp(temporary.data(), O_CLOEXEC);
-        if (file < 0) throw Failure(fmt::format("cannot write {}: {}", name, std::strerror(errno)));
-        mark_in_use(file);
         try {
             start(format, size, rate);
         } catch (...) {
@@ -209,17 +173,12 @@ struct Film::Encoder : Film::Sink {
         if (said < 0 || ::pipe2(ends.data(), O_CLOEXEC) != 0)
             throw Failure(fmt::format("cannot start ffmpeg: {}", std::strerror(errno)));
         to_child = ends[1];
-        std::vector<std::string> command = {"ffmpeg",    "-hide_banner",
-                                            "-loglevel", "error",
-                                            "-f",        "rawvideo",
-                                            "-pix_fmt",  "rgb24",
-                                            "-s",        fmt::format("{}x{}", size.width, size.height),
-                                            "-r",        fmt::format("{}/{}", rate.frames, rate.seconds),
-                                            "-i",        "pipe:0",
-                                            "-fflags",   "+bitexact",
-                                            "-flags:v",  "+bitexact"};
+        std::vector<std::string> command = words(
+            fmt::format("ffmpeg -hide_banner -loglevel error -f rawvideo -pix_fmt rgb24 -s {}x{} -r {}/{} -i pipe:0 "
+                        "-fflags +bitexact -flags:v +bitexact",
+                        size.width, size.height, rate.frames, rate.seconds));
         for (const std::string& argument : encoder_arguments(format)) command.push_back(argument);
-        command.insert(command.end(), {"-y", "file:" + temporary});
+        command.insert(command.end(), {"-y", "file:" + file.temporary_name()});
         try {
             child = start_child(command, {}, {ends[0], said, said});
         } catch (const Failure& e) {
@@ -245,11 +204,7 @@ struct Film::Encoder : Film::Sink {
     {
         const std::string end = wait();
         if (end != "exit code 0") throw Failure(fmt::format("{}: ffmpeg failed ({}){}", name, end, what_it_said()));
-        const mode_t mask = ::umask(0);
-        ::umask(mask);
-        if (::chmod(temporary.c_str(), 0666 & ~mask) != 0 || ::rename(temporary.c_str(), name.c_str()) != 0)
-            throw Failure(fmt::format("cannot write {}: {}", name, std::strerror(errno)));
-        temporary.clear();
+        file.commit();
     }
 
     std::string wait()
@@ -278,8 +233,6 @@ struct Film::Encoder : Film::Sink {
         }
         if (to_child >= 0) ::close(std::exchange(to_child, -1));
         if (said >= 0) ::close(std::exchange(said, -1));
-        if (file >= 0) ::close(std::exchange(file, -1));
-        if (!temporary.empty()) ::unlink(temporary.c_str());
     }
 };
 
@@ -290,8 +243,10 @@ Film::Film(const std::string& file, FilmFormat format, Shape size, double fps)
         sink_ = std::make_unique<Stream>(file, format, size, rate_of(fps));
     else if (file == "-")
         throw UsageError("ffmpeg's films are files; to standard output go y4m and rgb");
-    else
+    else {
+        require_writable(file);
         sink_ = std::make_unique<Encoder>(file, format, size, rate_of(fps));
+    }
 }
 
 Film::~Film() = default;

@@ -4,6 +4,7 @@
 #include "host/errors.h"
 #include "host/interrupt.h"
 #include "host/progress.h"
+#include "host/render_output.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -128,13 +129,11 @@ private:
 
 nlohmann::ordered_json frame_json(const FrameReport& report)
 {
-    nlohmann::ordered_json statistics;
-    for (const StatisticsField& f : statistics_fields()) statistics[f.name] = report.statistics.*f.value;
     return {{"frame", report.planned->frame},
             {"files", report.planned->files},
             {"fingerprint", report.planned->fingerprint},
             {"seconds", {{"upload", report.timings.upload}, {"trace", report.timings.trace}}},
-            {"statistics", std::move(statistics)}};
+            {"statistics", statistics_json(report.statistics)}};
 }
 
 void print_json(const RenderOptions& o, const SequencePlan& plan, const SequenceReport& report,
@@ -199,7 +198,7 @@ void render_frames(const RenderOptions& o, SceneSource source, const FrameTarget
     job.fps = source.scene.sequence.fps;
     job.skip_existing = o.skip_existing;
     job.in_flight = o.in_flight;
-    job.encoding = encoding_of(o, source, "");
+    job.encoding = encoding_of(o, source);
     const Stereo stereo = stereo_of(o);
     if (job.film && stereo.layout == StereoLayout::pair)
         throw UsageError("a film has one picture a frame; expected --stereo side-by-side, top-bottom or anaglyph");
@@ -229,9 +228,10 @@ void render_frames(const RenderOptions& o, SceneSource source, const FrameTarget
 
     remove_leftovers(files_to_write(plan, job));
     Renderer renderer;
-    if (todo > 0) renderer = make_renderer(device_of(o));
-    for (auto& [keyword, text] : job.encoding.metadata)
-        if (keyword == "Device" && todo > 0) text = describe(renderer.device.info);
+    if (todo > 0) {
+        renderer = make_renderer(device_of(o));
+        job.encoding.metadata.emplace_back("Device", describe(renderer.device.info));
+    }
     nlohmann::ordered_json frames = nlohmann::ordered_json::array();
     SequenceReport report;
     {

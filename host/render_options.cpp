@@ -145,7 +145,7 @@ Stereo stereo_of(const RenderOptions& o)
     return stereo;
 }
 
-EncodeOptions encoding_of(const RenderOptions& o, const SceneSource& source, const std::string& device)
+EncodeOptions encoding_of(const RenderOptions& o, const SceneSource& source)
 {
     EncodeOptions out;
     out.transfer = source.as_original == scene::AsOriginal::gun ? Transfer::linear : Transfer::srgb;
@@ -153,8 +153,7 @@ EncodeOptions encoding_of(const RenderOptions& o, const SceneSource& source, con
     out.quality = o.quality;
     out.metadata = {{"Software", "clucida " CLUCIDA_VERSION},
                     {"Command", canonical_command(o, source.name)},
-                    {"Scene SHA-256", source.hash},
-                    {"Device", device}};
+                    {"Scene SHA-256", source.hash}};
     return out;
 }
 

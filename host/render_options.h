@@ -36,8 +36,8 @@ RenderSettings settings_of(const RenderOptions& o);
 scene::View view_of(const RenderOptions& o, const SceneSource& source);
 Stereo stereo_of(const RenderOptions& o);
 
-/// How its pictures are encoded, and what their metadata say but for the frame's number.
-EncodeOptions encoding_of(const RenderOptions& o, const SceneSource& source, const std::string& device);
+/// How its pictures are encoded, and what their metadata say but for the device and the frame.
+EncodeOptions encoding_of(const RenderOptions& o, const SceneSource& source);
 
 /// The device that is asked for; says on standard error which it is. @throws Failure
 Device device_of(const RenderOptions& o);

@@ -82,10 +82,15 @@ std::string timing_line(const std::string& name, const Frame& frame, unsigned sa
                        t.build, t.first_enqueue, t.upload, t.trace, rays_per_second(frame) / 1e6);
 }
 
+nlohmann::ordered_json statistics_json(const Statistics& statistics)
+{
+    nlohmann::ordered_json out;
+    for (const StatisticsField& f : statistics_fields()) out[f.name] = statistics.*f.value;
+    return out;
+}
+
 nlohmann::ordered_json frame_json(const Frame& frame, const Stages& stages)
 {
-    nlohmann::ordered_json statistics;
-    for (const StatisticsField& f : statistics_fields()) statistics[f.name] = frame.statistics.*f.value;
     const Timings& t = frame.timings;
     const scene::Needs& needs = frame.needs;
     return {{"device", frame.device},
@@ -109,7 +114,7 @@ nlohmann::ordered_json frame_json(const Frame& frame, const Stages& stages)
               {"write", t.rows + stages.write}}},
             {"trace_processor_seconds", t.trace_cpu},
             {"rays_per_second", rays_per_second(frame)},
-            {"statistics", std::move(statistics)}};
+            {"statistics", statistics_json(frame.statistics)}};
 }
 
 } // namespace clucida::host

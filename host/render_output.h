@@ -58,6 +58,8 @@ struct Stages {
 /// What took how long: a line.
 std::string timing_line(const std::string& name, const Frame& frame, unsigned samples, const Stages& stages);
 
+nlohmann::ordered_json statistics_json(const Statistics& statistics);
+
 /// The frame's statistics, timings and capacities.
 nlohmann::ordered_json frame_json(const Frame& frame, const Stages& stages);
 

@@ -174,4 +174,14 @@ Frame render_frame(Renderer& renderer, const scene::Compiled& compiled, const Re
     }
 }
 
+Frame render_next(Renderer& renderer, scene::Compiled compiled, RenderSettings& settings, scene::Needs& needs,
+                  const RenderHooks& hooks)
+{
+    compiled.needs = unite(needs, compiled.needs);
+    Frame frame = render_frame(renderer, compiled, settings, hooks);
+    needs = unite(compiled.needs, frame.needs);
+    settings.tile = frame.tile;
+    return frame;
+}
+
 } // namespace clucida::host

@@ -102,4 +102,9 @@ bool enlarge(scene::Needs& needs, const Statistics& statistics);
 Frame render_frame(Renderer& renderer, const scene::Compiled& compiled, const RenderSettings& settings,
                    const RenderHooks& hooks = {});
 
+/// Renders one frame of several, with a program that serves all so far: needs grows to what they take together, a
+/// capacity that overflowed included, and settings.tile becomes what was measured for the first.
+Frame render_next(Renderer& renderer, scene::Compiled compiled, RenderSettings& settings, scene::Needs& needs,
+                  const RenderHooks& hooks);
+
 } // namespace clucida::host

@@ -42,15 +42,12 @@ void require_different_files(const SequencePlan& plan)
                                              file));
 }
 
-/// What of the plan depends on the frame's scene.
-void plan_frame(const SequenceJob& job, const CompiledFrame& compiled, Fingerprints& fingerprints, PlannedFrame& out)
+/// Whether a frame's files are those that would be rendered.
+bool is_kept(const SequenceJob& job, const PlannedFrame& planned)
 {
-    if (!job.files) return;
-    out.fingerprint =
-        fingerprints.of(compiled, job.settings.precision, job.motion->stereo().layout, job.files->format, job.encoding);
-    out.kept = job.skip_existing && std::ranges::all_of(out.files, [&](const std::string& file) {
-                   return is_same_picture(file, out.fingerprint);
-               });
+    return job.files && job.skip_existing && std::ranges::all_of(planned.files, [&](const std::string& file) {
+               return is_same_picture(file, planned.fingerprint);
+           });
 }
 
 scene::Needs needs_of(const CompiledFrame& compiled)
@@ -167,17 +164,26 @@ SequencePlan plan_sequence(const SequenceJob& job, const std::function<bool()>& 
     if (plan.frames.empty()) return plan;
 
     Fingerprints fingerprints;
+    const auto fingerprint_of = [&](const CompiledFrame& frame) {
+        if (!job.files) return std::string();
+        return fingerprints.of(frame, job.settings.precision, job.motion->stereo().layout, job.files->format,
+                               job.encoding);
+    };
     const CompiledFrame first = job.motion->compile(job.frames.front());
     plan.moves = first.moves;
+    const std::string first_fingerprint = fingerprint_of(first);
     std::vector<scene::Needs> needs(plan.frames.size(), needs_of(first));
     const bool large = job.motion->source().text.text.size() > large_text;
     for_each_index(plan.frames.size(), large ? 1 : std::thread::hardware_concurrency(), [&](std::size_t i) {
         if (cancelled && cancelled()) throw Interrupted();
         PlannedFrame& frame = plan.frames[i];
-        if (i == 0 || !first.moves) return plan_frame(job, first, fingerprints, frame);
-        const CompiledFrame compiled = job.motion->compile(frame.frame);
-        needs[i] = needs_of(compiled);
-        plan_frame(job, compiled, fingerprints, frame);
+        frame.fingerprint = first_fingerprint;
+        if (i > 0 && first.moves) {
+            const CompiledFrame compiled = job.motion->compile(frame.frame);
+            needs[i] = needs_of(compiled);
+            frame.fingerprint = fingerprint_of(compiled);
+        }
+        frame.kept = is_kept(job, frame);
     });
     std::optional<scene::Needs> all;
     for (std::size_t i = 0; i < plan.frames.size(); ++i) {
@@ -227,12 +233,7 @@ SequenceReport render_sequence(const SequenceJob& job, const SequencePlan& plan,
         done.planned = &planned;
         auto eyes = std::make_shared<std::vector<Picture>>();
         for (const scene::Compiled& eye : compiled->eyes) {
-            scene::Compiled united = eye;
-            united.needs = needs;
-            Frame frame = render_frame(renderer, united, settings, {hooks.progress, hooks.cancelled, {}});
-            needs = unite(needs, frame.needs); // a capacity that had to grow has grown for all
-            settings.tile = frame.tile;        // measured once
-            settings.kernel = frame.kernel;
+            Frame frame = render_next(renderer, eye, settings, needs, {hooks.progress, hooks.cancelled, {}});
             add(done.timings, frame.timings);
             add(done.statistics, frame.statistics);
             eyes->push_back(std::move(frame.picture));

@@ -99,7 +99,6 @@ def test_who_stops_early_leaves_the_stream_in_step() -> None:
         assert stream.render(scene(0)) == first
 
 
-@pytest.mark.skipif(os.name != "posix", reason="signals are POSIX's")
 def test_a_killed_program_is_a_clear_error() -> None:
     stream = c.Stream(size=SIZE)
     stream.render(scene())
@@ -263,7 +262,6 @@ def test_a_caller_that_hears_no_more_ends_the_program() -> None:
         assert b"standard output" in process.stderr.read()
 
 
-@pytest.mark.skipif(os.name != "posix", reason="signals are POSIX's")
 def test_an_interrupt_ends_the_program_while_it_waits() -> None:
     command = [os.environ["CLUCIDA"], "stream", "-q", "-s", "8x6"]
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
