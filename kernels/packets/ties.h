@@ -59,16 +59,7 @@ INLINED QuickCrossing lane_end(const LaneEnds* ends, u32 lane)
     c.sure = 1;
     return c;
 }
-INLINED int lane_order(const World* world, const Packet* packet, u32 lane, const LaneEnds* a, const LaneEnds* b,
-                       real* spread)
-{
-    const Ray ray = lane_ray(packet, lane);
-    const QuickCrossing one = lane_end(a, lane), other = lane_end(b, lane);
-    return end_order(world, &ray, &one, &other, spread);
-}
-
-/* Of two boundaries that are near each other the robust arithmetic tells which is met. Both at once are as one of the
- * object that has precedence: no more than one of them can be the medium's, which is left, so the other is entered. */
+/* As quick_untie of each ray. */
 INLINED void packet_untie(const World* world, const Packet* packet, PacketHit* hit)
 {
     u32 rivals = 0, unsure = 0;
@@ -77,13 +68,17 @@ INLINED void packet_untie(const World* world, const Packet* packet, PacketHit* h
     const LaneEnds others = lane_ends(hit->rival, hit->rival_face, hit->rival_t, hit->tolerance);
     for (u32 tied = wide_bits(hit->tied & hit->sure); tied; tied &= tied - 1u) {
         const u32 i = first_lane(tied);
-        real spread;
-        const int order = lane_order(world, packet, i, &ends, &others, &spread);
-        if (order == END_UNKNOWN)
+        const Ray ray = lane_ray(packet, i);
+        QuickHit lane;
+        lane.first = lane_end(&ends, i);
+        lane.rival = lane_end(&others, i);
+        lane.spread = R(0);
+        quick_untie(world, &ray, &lane);
+        if (!lane.first.sure)
             unsure |= 1u << i;
-        else if (order > 0 || (order == 0 && others.object[i] < ends.object[i]))
+        else if (lane.first.object == lane.rival.object)
             rivals |= 1u << i;
-        if (order == 0) spreads[i] = spread;
+        spreads[i] = lane.spread;
     }
     const wide_mask rival = rays_mask(rivals);
     hit->t = where(rival, hit->rival_t, hit->t);
@@ -93,12 +88,12 @@ INLINED void packet_untie(const World* world, const Packet* packet, PacketHit* h
     hit->spread = load_lanes(spreads);
 }
 
-/* Of lanes that leave a medium at an end of another object's: those whose next points that object holds. *known: those
- * of which the robust arithmetic can tell. Where both are left the full search looks whether one is entered again. */
+/* As holds_beyond of each ray: of the lanes *known, those whose next points the object `me` holds. Left in *known are
+ * those of which the robust arithmetic can tell. */
 INLINED wide_mask packet_beyond_end(const World* world, const Packet* packet, PacketHit* hit, wide_id me,
                                     const PacketDoubt* doubt, wide tolerance, wide_mask* known)
 {
-    u32 holds = 0, told = 0;
+    u32 holding = 0, told = 0;
     real spreads[LANES];
     const LaneEnds left = lane_ends(hit->object, hit->face, hit->t, hit->tolerance);
     const LaneEnds ends = lane_ends(me, doubt->face, hit->t, tolerance);
@@ -106,16 +101,21 @@ INLINED wide_mask packet_beyond_end(const World* world, const Packet* packet, Pa
     store_wide(hit->spread, spreads);
     for (u32 some = wide_bits(*known); some; some &= some - 1u) {
         const u32 i = first_lane(some);
-        real spread;
-        const int order = lane_order(world, packet, i, &left, &ends, &spread), entered = (int)(opens >> i & 1u);
-        if (order == END_UNKNOWN || (order == 0 && !entered)) continue;
+        const Ray ray = lane_ray(packet, i);
+        const QuickCrossing end = lane_end(&ends, i);
+        QuickHit lane;
+        lane.first = lane_end(&left, i);
+        lane.tied = 0;
+        lane.spread = spreads[i];
+        const int holds = holds_beyond(world, &ray, &lane, &end, (int)(opens >> i & 1u));
+        if (holds < 0) continue;
         told |= 1u << i;
-        if (entered == (order >= 0)) holds |= 1u << i;
-        if (order == 0) spreads[i] = spread;
+        if (holds) holding |= 1u << i;
+        spreads[i] = lane.spread;
     }
     *known = rays_mask(told);
     hit->spread = load_lanes(spreads);
-    return rays_mask(holds);
+    return rays_mask(holding);
 }
 
 #endif
