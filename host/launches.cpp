@@ -17,6 +17,7 @@ struct Lane {
     std::vector<float> tile_copy;
     std::vector<std::uint32_t> stats_copy;
     std::vector<std::uint32_t> no_stats; ///< what a launch's counters begin as
+    cl::Event traced;                    ///< of the kernel
     cl::Event done;                      ///< of the results' way back
     std::size_t index = 0;
     unsigned samples_begin = 0, samples_end = 0;
@@ -48,7 +49,7 @@ void enqueue(Tracer& t, Lane& lane, Shape tile, unsigned x0, unsigned y0)
     t.kernel.setArg(argument, lane.stats);
     t.queue.enqueueNDRangeKernel(t.kernel, cl::NullRange,
                                  cl::NDRange(tile.width / t.block.width, tile.height / t.block.height),
-                                 cl::NDRange(t.items.width, t.items.height));
+                                 cl::NDRange(t.items.width, t.items.height), nullptr, &lane.traced);
 }
 
 void enqueue_results(Tracer& t, Lane& lane, bool with_tile)
@@ -108,12 +109,20 @@ private:
     bool full_ = false;    ///< it completed a band
 };
 
+double seconds_of(const cl::Event& event)
+{
+    constexpr double nanosecond = 1e-9;
+    const auto begin = event.getProfilingInfo<CL_PROFILING_COMMAND_START>();
+    return nanosecond * static_cast<double>(event.getProfilingInfo<CL_PROFILING_COMMAND_END>() - begin);
+}
+
 /// Waits for the lane's launch and takes its results.
-void collect(Lane& lane, unsigned samples, Statistics& statistics, Canvas& canvas)
+void collect(const Tracer& tracer, Lane& lane, unsigned samples, Frame& frame, Canvas& canvas)
 {
     lane.done.wait();
     lane.busy = false;
-    add_rows(statistics, lane.stats_copy);
+    if (tracer.profiling == Profiling::yes) frame.timings.kernels += seconds_of(lane.traced);
+    add_rows(frame.statistics, lane.stats_copy);
     lane.has_tile = lane.samples_end < samples;
     if (!lane.has_tile) canvas.add(lane, samples);
 }
@@ -169,7 +178,7 @@ void trace_tiles(Tracer& tracer, const Tiling& tiling, const RenderSettings& set
         if (hooks.cancelled && hooks.cancelled()) throw Interrupted();
         if (lane.busy) {
             canvas.hand_over();
-            collect(lane, settings.samples, frame.statistics, canvas);
+            collect(tracer, lane, settings.samples, frame, canvas);
             ++collected;
             if (hooks.progress) hooks.progress(static_cast<double>(collected) / static_cast<double>(frame.launches));
         }

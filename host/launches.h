@@ -13,6 +13,7 @@ struct Tracer {
     cl::Kernel& kernel;
     Shape items; ///< of a work-group
     Shape block; ///< pixels of an item
+    Profiling profiling = Profiling::no;
     /// The pixels of a work-group.
     Shape group() const { return {items.width * block.width, items.height * block.height}; }
 };

@@ -46,10 +46,15 @@ void prepare_program(Renderer& renderer, const scene::Needs& needs, const Render
     frame.note = renderer.program.note;
 }
 
-Shape group_of(const cl::Kernel& kernel, const Device& device)
+Shape group_of(const cl::Kernel& kernel, const Device& device, std::optional<Shape> wanted = {})
 {
-    const auto most = kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(device.handle);
-    return choose_group(std::min<std::size_t>(most, device.info.max_group));
+    const std::size_t most =
+        std::min<std::size_t>(kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(device.handle), device.info.max_group);
+    if (!wanted) return choose_group(most);
+    if (area(*wanted) > most)
+        throw Failure(fmt::format("a work-group of {}x{} is too large for {}: at most {} work-items", wanted->width,
+                                  wanted->height, describe(device.info), most));
+    return *wanted;
 }
 
 Shape tile_of(Tracer& tracer, const RenderSettings& settings)
@@ -67,9 +72,9 @@ void render_once(Renderer& renderer, const DeviceBuffers& buffers, const RenderS
     prepare_program(renderer, frame.needs, settings, frame);
     cl::Kernel kernel(renderer.program.handle, "render");
     for (cl_uint i = 0; i < BUFFER_COUNT; ++i) kernel.setArg(i, buffers[i]);
-    Tracer tracer{renderer.context, renderer.queue, kernel, {1, 1}, packet_block};
+    Tracer tracer{renderer.context, renderer.queue, kernel, {1, 1}, packet_block, renderer.profiling};
     if (frame.kernel == KernelShape::pixels) {
-        tracer.items = group_of(kernel, renderer.device);
+        tracer.items = group_of(kernel, renderer.device, settings.group);
         tracer.block = {1, 1};
     }
 
@@ -89,6 +94,7 @@ void render_once(Renderer& renderer, const DeviceBuffers& buffers, const RenderS
                                   allowed));
     frame.statistics = {};
     frame.timings.rows = 0;
+    frame.timings.kernels = 0;
     trace_tiles(tracer, {settings.picture, frame.tile}, settings, hooks, frame);
     frame.timings.trace += trace.seconds() - frame.timings.rows;
     frame.timings.trace_cpu += trace_cpu.seconds();
@@ -109,13 +115,15 @@ void enqueue_each(const Renderer& renderer, const cl::Kernel& kernel, std::size_
     renderer.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(items), cl::NDRange(group));
 }
 
-Renderer make_renderer(const Device& device)
+Renderer make_renderer(const Device& device, Profiling profiling)
 {
     try {
         Renderer renderer;
         renderer.device = device;
         renderer.context = cl::Context(device.handle);
-        renderer.queue = cl::CommandQueue(renderer.context, device.handle);
+        renderer.profiling = profiling;
+        renderer.queue = cl::CommandQueue(renderer.context, device.handle,
+                                          profiling == Profiling::yes ? CL_QUEUE_PROFILING_ENABLE : 0);
         return renderer;
     } catch (const cl::Error& e) {
         throw Failure(fmt::format("{}: {}", describe(device.info), explain(e)));

@@ -30,6 +30,7 @@ struct RenderSettings {
     Precision precision = Precision::single;
     KernelCache cache = KernelCache::automatic;
     std::optional<KernelShape> kernel;   ///< else the one that is made for the device
+    std::optional<Shape> group;          ///< work-items of a work-group, of the kernel of pixels; else chosen
     std::optional<Shape> tile;           ///< else chosen by measuring; rounded up to whole work-groups
     double launch_seconds = 0.25;        ///< what a launch may take, when the tile is chosen
     unsigned in_flight = 3;              ///< launches given to the device before the first is waited for
@@ -42,6 +43,7 @@ struct Timings {
     double upload = 0;        ///< the scene to the device, s
     double trace = 0;         ///< all launches and their results' way back, s
     double trace_cpu = 0;     ///< the time that this process's threads computed meanwhile, s
+    double kernels = 0;       ///< that the device says its kernels ran; 0 unless profiled, s
     double rows = 0;          ///< what RenderHooks::rows took when all launches were done, s
 };
 
@@ -67,6 +69,9 @@ struct RenderHooks {
     std::function<void(unsigned y, std::span<const float> rgb)> rows = {};
 };
 
+/// Whether the device keeps the times of what it does (Timings::kernels).
+enum class Profiling : bool { no, yes };
+
 /// What stays the same from frame to frame: the device, its queue, the program of the last needs.
 struct Renderer {
     Device device;
@@ -76,11 +81,12 @@ struct Renderer {
     scene::Needs needs; ///< of the program; meaningless while it is empty
     Precision precision = Precision::single;
     KernelShape kernel = KernelShape::pixels;
+    Profiling profiling = Profiling::no;
     unsigned builds = 0; ///< how often a program was built, or read from the cache
 };
 
 /// @throws Failure
-Renderer make_renderer(const Device& device);
+Renderer make_renderer(const Device& device, Profiling profiling = Profiling::no);
 
 /// The scene on the device, in the order of LayoutBuffer.
 using DeviceBuffers = std::array<cl::Buffer, BUFFER_COUNT>;

@@ -90,6 +90,7 @@ void add(Timings& sum, const Timings& t)
     sum.upload += t.upload;
     sum.trace += t.trace;
     sum.trace_cpu += t.trace_cpu;
+    sum.kernels += t.kernels;
     sum.rows += t.rows;
 }
 
