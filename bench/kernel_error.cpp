@@ -1,8 +1,8 @@
 #include "bench/kernel_error.h"
 
-#include "bench/share_work.h"
 #include "host/compare.h"
 #include "host/errors.h"
+#include "host/share_work.h"
 #include "host/signatures.h"
 #include "scene/linear.h"
 
@@ -157,7 +157,7 @@ KernelError measure_kernel_error(host::Renderer& renderer, const scene::Scene& s
     const std::vector<Record> records = trace_records(renderer, compiled, needs, settings);
     const auto world = oracle::build<Real>(scene, {});
     std::vector<Judge> judges(threads, Judge{world, compiled, names});
-    share_work(records.size() / steps, threads, [&](std::size_t i, unsigned worker) {
+    host::share_work(records.size() / steps, threads, [&](std::size_t i, unsigned worker) {
         judges[worker].add(std::span(records).subspan(i * steps, steps));
     });
 

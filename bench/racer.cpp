@@ -1,9 +1,9 @@
 #include "bench/racer.h"
 
 #include "bench/native_library.h"
-#include "bench/share_work.h"
 #include "host/errors.h"
 #include "host/interrupt.h"
+#include "host/share_work.h"
 #include "host/stopwatch.h"
 
 #include <algorithm>
@@ -48,7 +48,7 @@ void trace_natively(const NativeLibrary& library, const scene::Compiled& compile
     std::vector<float> sums(row_floats * height);
     std::vector<host::Statistics> counted(threads);
     const unsigned band = frame.kernel == host::KernelShape::packets ? 32 : 1; // rows, as high as a block of packets
-    share_work((height + band - 1) / band, threads, [&](std::size_t number, unsigned worker) {
+    host::share_work((height + band - 1) / band, threads, [&](std::size_t number, unsigned worker) {
         if (host::interrupted()) return;
         std::array<std::uint32_t, STAT_COUNT> counters{};
         const unsigned row = static_cast<unsigned>(number) * band;

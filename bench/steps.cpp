@@ -1,9 +1,9 @@
 #include "bench/steps.h"
 
 #include "bench/disturbances.h"
-#include "bench/share_work.h"
 #include "host/errors.h"
 #include "host/interrupt.h"
+#include "host/share_work.h"
 #include "kernels/layout.h"
 
 #include <fmt/format.h>
@@ -183,7 +183,7 @@ std::vector<Verdict> judge_steps(const scene::Scene& scene, const oracle::Option
         disturbed.disturbance.reset();
         if (seed > 0) disturbed.disturbance = flip_disturbance_of(seed);
         const auto world = oracle::build<double>(scene, disturbed);
-        share_work(open.size(), threads, [&](std::size_t i, unsigned) { open[i].try_world(world); });
+        host::share_work(open.size(), threads, [&](std::size_t i, unsigned) { open[i].try_world(world); });
         std::vector<Judge> still;
         for (Judge& judge : open)
             if (!judge.done()) still.push_back(std::move(judge));

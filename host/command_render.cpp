@@ -23,7 +23,7 @@ constexpr std::size_t most_fingerprinted = std::size_t{1} << 25;
 
 void report(const RenderOptions& o, const Output& output, const Frame& frame, const Stages& stages)
 {
-    if (!frame.note.empty() && !o.quiet) fmt::print(stderr, "clucida: note: {}\n", frame.note);
+    tell_notes(frame.notes, o.quiet);
     const std::string faults = describe_faults(frame.statistics);
     if (!faults.empty()) fmt::print(stderr, "clucida: warning: the picture has faults: {}\n", faults);
     if (!o.quiet) fmt::print(stderr, "{}\n", timing_line(output.file, frame, o.samples, stages));
@@ -64,20 +64,20 @@ void render_still(const RenderOptions& o, SceneSource source, const Output& outp
         }
     }
     stages.compile = watch.lap();
-    const Device device = device_of(o);
-    encoding.metadata.emplace_back("Device", describe(device.info));
+    const std::vector<Device> devices = devices_of(o);
+    encoding.metadata.emplace_back("Device", describe(devices));
     encoding.metadata.emplace_back("Frame", fmt::format("{}", o.scene.moment.frame));
     if (!fingerprint.empty()) encoding.metadata.emplace_back(fingerprint_keyword, fingerprint);
     stages.devices = watch.lap();
 
-    Renderer renderer = make_renderer(device);
+    std::vector<Renderer> team = make_renderers(devices);
     stages.context = watch.lap();
     if (output.file != "-") remove_leftovers({output.file});
     OutputStream stream(output, settings.picture, encoding);
     Frame frame;
     {
         ProgressBar bar(output.file, !o.quiet);
-        frame = render_frame(renderer, compiled, settings,
+        frame = render_frame(team, compiled, settings,
                              {[&](double done) { bar.update(done); }, interrupted,
                               [&](unsigned y, std::span<const float> rgb) { stream.add(y, rgb); }});
     }

@@ -4,6 +4,7 @@
 #include "host/interrupt.h"
 #include "host/opencl.h"
 #include "host/render_options.h"
+#include "host/render_output.h"
 #include "scene/error.h"
 #include "scene/limits.h"
 
@@ -132,8 +133,8 @@ std::string message_of(const Work& work)
 class Stream {
 public:
     explicit Stream(const StreamOptions& options)
-        : options_(options), settings_(settings_of(options.render)),
-          renderer_(make_renderer(device_of(options.render))), folder_(std::filesystem::current_path())
+        : options_(options), settings_(settings_of(options.render)), team_(make_renderers(devices_of(options.render))),
+          folder_(std::filesystem::current_path())
     {
     }
 
@@ -195,7 +196,8 @@ private:
 
     Picture render(const scene::Compiled& compiled)
     {
-        Frame frame = render_next(renderer_, compiled, settings_, needs_, {{}, interrupted, {}});
+        Frame frame = render_next(team_, compiled, settings_, needs_, {{}, interrupted, {}});
+        tell_notes(frame.notes, options_.render.quiet);
         const std::string faults = describe_faults(frame.statistics);
         if (!faults.empty()) fmt::print(stderr, "clucida: warning: the picture has faults: {}\n", faults);
         return std::move(frame.picture);
@@ -216,7 +218,7 @@ private:
 
     const StreamOptions& options_;
     RenderSettings settings_;
-    Renderer renderer_;
+    std::vector<Renderer> team_;
     std::filesystem::path folder_;
     scene::PhotographCache photographs_;
     scene::Needs needs_; ///< of all scenes so far

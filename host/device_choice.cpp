@@ -37,8 +37,20 @@ std::vector<std::size_t> every(std::span<const DeviceInfo> devices)
 std::optional<std::size_t> first_of(std::span<const DeviceInfo> devices, DeviceKind kind)
 {
     for (std::size_t i = 0; i < devices.size(); ++i)
-        if (devices[i].usable && devices[i].kind == kind) return i;
+        if (devices[i].usable && !devices[i].native && devices[i].kind == kind) return i;
     return std::nullopt;
+}
+
+std::optional<std::size_t> find_native(std::span<const DeviceInfo> devices)
+{
+    for (std::size_t i = 0; i < devices.size(); ++i)
+        if (devices[i].usable && devices[i].native) return i;
+    return std::nullopt;
+}
+
+bool has_opencl(std::span<const DeviceInfo> devices)
+{
+    return std::ranges::any_of(devices, [](const DeviceInfo& d) { return d.usable && !d.native; });
 }
 
 struct PlatformDevice {
@@ -64,53 +76,76 @@ bool named(const DeviceInfo& d, const std::string& part)
     return false;
 }
 
+/// Of one word, in small letters. @throws Failure
+std::vector<std::size_t> choose_by_word(std::span<const DeviceInfo> devices, const std::string& word)
+{
+    const auto gpu = first_of(devices, DeviceKind::gpu), cpu = first_of(devices, DeviceKind::cpu),
+               other = first_of(devices, DeviceKind::other);
+    const auto native = find_native(devices);
+    const auto one = [](const std::optional<std::size_t>& i) {
+        return i ? std::vector{*i} : std::vector<std::size_t>{};
+    };
+    if (word.empty()) return one(gpu ? gpu : cpu ? cpu : other ? other : native);
+    if (word == "gpu") return one(gpu);
+    if (word == "cpu") return one(cpu ? cpu : native);
+    if (word == "native") return one(native);
+    const auto pair = parse_pair(word);
+    std::vector<std::size_t> matches;
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        const DeviceInfo& d = devices[i];
+        if (d.usable && !d.native &&
+            (word == "all" || (pair ? d.platform == pair->platform && d.device == pair->device : named(d, word))))
+            matches.push_back(i);
+    }
+    if (word == "all" && matches.empty()) return one(native);
+    if (matches.size() > 1 && word != "all")
+        throw Failure(fmt::format("'{}' matches several OpenCL devices; name one by its number:{}", word,
+                                  list(devices, matches)));
+    return matches;
+}
+
 } // namespace
+
+std::string place(const DeviceInfo& device)
+{
+    return device.native ? "native" : fmt::format("{}:{}", device.platform, device.device);
+}
 
 std::string describe(const DeviceInfo& device)
 {
-    return fmt::format("{}:{} {} ({})", device.platform, device.device, device.name, device.platform_name);
+    if (device.native) return fmt::format("native {} (without OpenCL)", device.name);
+    return fmt::format("{} {} ({})", place(device), device.name, device.platform_name);
 }
 
 std::vector<std::size_t> choose_devices(std::span<const DeviceInfo> devices, std::string_view selector)
 {
-    if (std::none_of(devices.begin(), devices.end(), [](const DeviceInfo& d) { return d.usable; }))
-        throw Failure("no OpenCL device is installed. On Debian or Ubuntu, `apt install pocl-opencl-icd` gives one for "
-                      "the processor; for a graphics card, install its maker's OpenCL driver");
-
-    const std::string word = lower(selector);
-    std::vector<std::size_t> matches;
-    if (word.empty()) {
-        const auto gpu = first_of(devices, DeviceKind::gpu);
-        const auto cpu = first_of(devices, DeviceKind::cpu);
-        return {gpu ? *gpu : cpu ? *cpu : first_of(devices, DeviceKind::other).value()};
+    std::vector<std::size_t> out;
+    for (std::size_t begin = 0; begin <= selector.size();) {
+        const std::size_t end = std::min(selector.find(',', begin), selector.size());
+        const std::string_view word = selector.substr(begin, end - begin);
+        begin = end + 1;
+        if (word.empty() && !selector.empty())
+            throw UsageError(fmt::format("'{}' names no device between two commas", selector));
+        const std::vector<std::size_t> chosen = choose_by_word(devices, lower(word));
+        if (chosen.empty() && !has_opencl(devices))
+            throw Failure(fmt::format("no OpenCL device is installed. On Debian or Ubuntu, `apt install "
+                                      "pocl-opencl-icd` gives one for the processor; for a graphics card, install its "
+                                      "maker's OpenCL driver{}",
+                                      find_native(devices) ? "; --device native does without" : ""));
+        if (chosen.empty())
+            throw Failure(
+                fmt::format("no OpenCL device matches '{}'. There is:{}", word, list(devices, every(devices))));
+        for (const std::size_t i : chosen)
+            if (std::ranges::find(out, i) == out.end()) out.push_back(i);
     }
-    if (word == "cpu" || word == "gpu") {
-        const auto found = first_of(devices, word == "cpu" ? DeviceKind::cpu : DeviceKind::gpu);
-        if (found) matches = {*found};
-    } else {
-        const auto pair = parse_pair(word);
-        for (std::size_t i = 0; i < devices.size(); ++i) {
-            const DeviceInfo& d = devices[i];
-            if (d.usable &&
-                (word == "all" || (pair ? d.platform == pair->platform && d.device == pair->device : named(d, word))))
-                matches.push_back(i);
-        }
-    }
-    if (matches.empty())
-        throw Failure(
-            fmt::format("no OpenCL device matches '{}'. There is:{}", selector, list(devices, every(devices))));
-    if (matches.size() > 1 && word != "all")
-        throw Failure(fmt::format("'{}' matches several OpenCL devices; name one by its number:{}", selector,
-                                  list(devices, matches)));
-    return matches;
+    return out;
 }
 
 std::size_t choose_device(std::span<const DeviceInfo> devices, std::string_view selector)
 {
     const auto chosen = choose_devices(devices, selector);
     if (chosen.size() > 1)
-        throw UsageError(fmt::format("one picture on several devices at once is not supported yet; choose one of:{}",
-                                     list(devices, chosen)));
+        throw UsageError(fmt::format("only one device will do here; choose one of:{}", list(devices, chosen)));
     return chosen.front();
 }
 

@@ -1,8 +1,6 @@
 #include "host/devices.h"
 
-#include "host/errors.h"
-
-#include <fmt/format.h>
+#include "host/native_device.h"
 
 #include <cstdlib>
 
@@ -65,7 +63,7 @@ std::vector<Device> list_devices()
     try {
         cl::Platform::get(&platforms);
     } catch (const cl::Error&) {
-        return {}; // the loader's way (-1001) to say that there is no platform
+        platforms.clear(); // the loader's way (-1001) to say that there is none
     }
     std::vector<Device> out;
     for (unsigned p = 0; p < platforms.size(); ++p) {
@@ -82,6 +80,14 @@ std::vector<Device> list_devices()
             out.push_back({std::move(info), devices[d]});
         }
     }
+    out.push_back({native_device(), {}});
+    return out;
+}
+
+std::string describe(std::span<const Device> devices)
+{
+    std::string out;
+    for (const Device& d : devices) out += (out.empty() ? "" : " + ") + describe(d.info);
     return out;
 }
 
@@ -104,6 +110,14 @@ Device find_device(const std::string& selector)
 {
     std::vector<Device> devices = list_devices();
     return devices[choose_device(infos(devices), selector)];
+}
+
+std::vector<Device> find_devices(const std::string& selector)
+{
+    const std::vector<Device> devices = list_devices();
+    std::vector<Device> out;
+    for (const std::size_t i : choose_devices(infos(devices), selector)) out.push_back(devices[i]);
+    return out;
 }
 
 } // namespace clucida::host

@@ -14,9 +14,11 @@ struct Device {
     cl::Device handle;
 };
 
-/// All devices of all platforms, in OpenCL's order. Platforms without devices give none; no platform gives an empty
-/// list.
+/// All devices of all platforms, in OpenCL's order, and the native one after them. Platforms without devices give none.
 std::vector<Device> list_devices();
+
+/// Their descriptions with " + " between.
+std::string describe(std::span<const Device> devices);
 
 std::vector<DeviceInfo> infos(const std::vector<Device>& devices);
 
@@ -25,5 +27,7 @@ std::string device_selector(const std::string& flag);
 
 /// The device that a selector means (device_choice.h). @throws Failure, UsageError
 Device find_device(const std::string& selector);
+/// Those that it means. @throws Failure, UsageError
+std::vector<Device> find_devices(const std::string& selector);
 
 } // namespace clucida::host

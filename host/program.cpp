@@ -92,6 +92,7 @@ std::string variant_options(const scene::Needs& needs, Precision precision, cons
 Program build_program(const cl::Context& context, const Device& device, const std::string& source,
                       const std::string& options, KernelCache cache)
 {
+    if (device.info.native) throw Failure("this needs an OpenCL device: kernels are not compiled for `native`");
     const Stopwatch watch;
     Program program;
     program.options = options;

@@ -108,6 +108,7 @@ public:
     void finished(const FrameReport& report)
     {
         const std::size_t done = ++done_;
+        tell_notes(report.notes, quiet_);
         const std::string faults = describe_faults(report.statistics);
         if (!faults.empty())
             fmt::print(stderr, "clucida: warning: frame {} has faults: {}\n", report.planned->frame, faults);
@@ -227,16 +228,17 @@ void render_frames(const RenderOptions& o, SceneSource source, const FrameTarget
     if (!o.quiet && plan.kept) fmt::print(stderr, "{} of {} frames are kept\n", plan.kept, plan.frames.size());
 
     remove_leftovers(files_to_write(plan, job));
-    Renderer renderer;
+    std::vector<Renderer> team;
     if (todo > 0) {
-        renderer = make_renderer(device_of(o));
-        job.encoding.metadata.emplace_back("Device", describe(renderer.device.info));
+        const std::vector<Device> devices = devices_of(o);
+        team = make_renderers(devices);
+        job.encoding.metadata.emplace_back("Device", describe(devices));
     }
     nlohmann::ordered_json frames = nlohmann::ordered_json::array();
     SequenceReport report;
     {
         SequenceProgress progress(todo, o.quiet);
-        report = render_sequence(job, plan, renderer,
+        report = render_sequence(job, plan, team,
                                  {[&](double fraction) { progress.traced(fraction); }, interrupted,
                                   [&](const FrameReport& done) {
                                       progress.finished(done);

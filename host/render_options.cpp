@@ -102,7 +102,10 @@ void add_tracing_options(CLI::App& command, RenderOptions& o)
                     "pixels (a work-item each, for GPUs), packets (of eight rays, for CPUs), or auto: as the device is")
         ->check(CLI::IsMember({"auto", "pixels", "packets"}))
         ->option_text("NAME");
-    command.add_option("--device", o.device, "P:D (see `clucida devices`), a part of a name, cpu or gpu")
+    command
+        .add_option("--device", o.device,
+                    "P:D (see `clucida devices`), a part of a name, cpu, gpu, native (without OpenCL), "
+                    "all, or several with commas between: they share each picture")
         ->option_text("WHICH");
     command.add_option("--tile", o.tile, "the shape of a launch; else measured")->option_text("WxH");
     command.add_flag("--no-kernel-cache", o.no_kernel_cache, "compile anew, keep nothing");
@@ -157,12 +160,20 @@ EncodeOptions encoding_of(const RenderOptions& o, const SceneSource& source)
     return out;
 }
 
-Device device_of(const RenderOptions& o)
+std::vector<Device> devices_of(const RenderOptions& o)
 {
-    Device device = find_device(device_selector(o.device));
-    if (!o.quiet) fmt::print(stderr, "device {}\n", describe(device.info));
-    if (o.precision == "double") require_double(device.info);
-    return device;
+    const std::string selector = device_selector(o.device);
+    std::vector<Device> devices = find_devices(selector);
+    if (!o.quiet) {
+        for (const Device& d : devices) fmt::print(stderr, "device {}\n", describe(d.info));
+        if (devices.front().info.native && selector != "native" && devices.size() == 1)
+            fmt::print(stderr,
+                       "clucida: note: no OpenCL device is installed; `apt install pocl-opencl-icd` gives one for "
+                       "the processor\n");
+    }
+    for (const Device& d : devices)
+        if (o.precision == "double") require_double(d.info);
+    return devices;
 }
 
 } // namespace clucida::host

@@ -39,7 +39,7 @@ Stereo stereo_of(const RenderOptions& o);
 /// How its pictures are encoded, and what their metadata say but for the device and the frame.
 EncodeOptions encoding_of(const RenderOptions& o, const SceneSource& source);
 
-/// The device that is asked for; says on standard error which it is. @throws Failure
-Device device_of(const RenderOptions& o);
+/// The devices that are asked for; says on standard error which they are. @throws Failure
+std::vector<Device> devices_of(const RenderOptions& o);
 
 } // namespace clucida::host

@@ -82,6 +82,12 @@ std::string timing_line(const std::string& name, const Frame& frame, unsigned sa
                        t.build, t.first_enqueue, t.upload, t.trace, rays_per_second(frame) / 1e6);
 }
 
+void tell_notes(std::span<const std::string> notes, bool quiet)
+{
+    if (quiet) return;
+    for (const std::string& note : notes) fmt::print(stderr, "clucida: note: {}\n", note);
+}
+
 nlohmann::ordered_json statistics_json(const Statistics& statistics)
 {
     nlohmann::ordered_json out;
@@ -97,6 +103,7 @@ nlohmann::ordered_json frame_json(const Frame& frame, const Stages& stages)
             {"kernel", frame.kernel == KernelShape::packets ? "packets" : "pixels"},
             {"width", frame.picture.width},
             {"height", frame.picture.height},
+            {"work_group", fmt::format("{}x{}", frame.group.width, frame.group.height)},
             {"tile", fmt::format("{}x{}", frame.tile.width, frame.tile.height)},
             {"launches", frame.launches},
             {"retries", frame.retries},

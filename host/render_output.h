@@ -58,6 +58,9 @@ struct Stages {
 /// What took how long: a line.
 std::string timing_line(const std::string& name, const Frame& frame, unsigned samples, const Stages& stages);
 
+/// On standard error, unless quiet.
+void tell_notes(std::span<const std::string> notes, bool quiet);
+
 nlohmann::ordered_json statistics_json(const Statistics& statistics);
 
 /// The frame's statistics, timings and capacities.

@@ -3,6 +3,7 @@
 #include "host/errors.h"
 #include "host/kernel_source.h"
 #include "host/program.h"
+#include "kernels/native_api.h"
 
 #include <fmt/format.h>
 
@@ -75,9 +76,13 @@ std::string difference(const std::vector<Results>& results, const std::vector<In
 
 std::string self_test(const Device& device)
 {
+    const std::vector<Inputs> inputs = make_inputs();
+    std::vector<Results> results(inputs.size());
+    if (device.info.native) {
+        for (std::size_t i = 0; i < inputs.size(); ++i) native_selftest(inputs[i].data(), results[i].data());
+        return difference(results, inputs);
+    }
     try {
-        const std::vector<Inputs> inputs = make_inputs();
-        std::vector<Results> results(inputs.size());
         const cl::Context context(device.handle);
         const cl::CommandQueue queue(context, device.handle);
         const Program program = build_program(context, device, kernel_source("kernels/selftest.cl"),

@@ -83,7 +83,7 @@ void for_each_index(std::size_t count, unsigned threads, const std::function<voi
     if (failure) std::rethrow_exception(failure);
 }
 
-void add(Timings& sum, const Timings& t)
+void add_timings(Timings& sum, const Timings& t)
 {
     sum.build += t.build;
     sum.first_enqueue += t.first_enqueue;
@@ -94,9 +94,11 @@ void add(Timings& sum, const Timings& t)
     sum.rows += t.rows;
 }
 
-void add(Statistics& sum, const Statistics& s)
+unsigned builds_of(std::span<const Renderer> team)
 {
-    for (const StatisticsField& f : statistics_fields()) sum.*f.value += s.*f.value;
+    unsigned sum = 0;
+    for (const Renderer& r : team) sum += r.builds;
+    return sum;
 }
 
 /// Writes finished frames, in order.
@@ -197,11 +199,11 @@ SequencePlan plan_sequence(const SequenceJob& job, const std::function<bool()>& 
     return plan;
 }
 
-SequenceReport render_sequence(const SequenceJob& job, const SequencePlan& plan, Renderer& renderer,
+SequenceReport render_sequence(const SequenceJob& job, const SequencePlan& plan, std::span<Renderer> team,
                                const SequenceHooks& hooks)
 {
     const Stopwatch watch;
-    const unsigned builds_before = renderer.builds;
+    const unsigned builds_before = builds_of(team);
     SequenceReport report;
     RenderSettings settings = job.settings;
     scene::Needs needs = plan.needs;
@@ -234,18 +236,19 @@ SequenceReport render_sequence(const SequenceJob& job, const SequencePlan& plan,
         done.planned = &planned;
         auto eyes = std::make_shared<std::vector<Picture>>();
         for (const scene::Compiled& eye : compiled->eyes) {
-            Frame frame = render_next(renderer, eye, settings, needs, {hooks.progress, hooks.cancelled, {}});
-            add(done.timings, frame.timings);
+            Frame frame = render_next(team, eye, settings, needs, {hooks.progress, hooks.cancelled, {}});
+            add_timings(done.timings, frame.timings);
             add(done.statistics, frame.statistics);
+            std::ranges::move(frame.notes, std::back_inserter(done.notes));
             eyes->push_back(std::move(frame.picture));
         }
-        add(report.timings, done.timings);
+        add_timings(report.timings, done.timings);
         ++report.rendered;
         queue.push([&writer, done, eyes] { writer.write(done, std::move(*eyes)); });
     }
     queue.finish();
     writer.finish();
-    report.builds = renderer.builds - builds_before;
+    report.builds = builds_of(team) - builds_before;
     report.seconds = watch.seconds();
     return report;
 }

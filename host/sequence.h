@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -61,11 +62,12 @@ struct FrameReport {
     const PlannedFrame* planned = nullptr;
     Statistics statistics;
     Timings timings; ///< of all eyes
+    std::vector<std::string> notes = {};
 };
 
 struct SequenceReport {
     std::size_t rendered = 0;
-    unsigned builds = 0; ///< of the kernels
+    unsigned builds = 0; ///< of the kernels, on all devices
     double seconds = 0;
     Timings timings; ///< of all frames
 };
@@ -77,7 +79,7 @@ struct SequenceHooks {
 };
 
 /// @throws Failure, Interrupted; frames that were finished before are kept, a film is not
-SequenceReport render_sequence(const SequenceJob& job, const SequencePlan& plan, Renderer& renderer,
+SequenceReport render_sequence(const SequenceJob& job, const SequencePlan& plan, std::span<Renderer> team,
                                const SequenceHooks& hooks);
 
 } // namespace clucida::host

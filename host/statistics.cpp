@@ -39,6 +39,11 @@ void add_rows(Statistics& to, std::span<const std::uint32_t> rows)
     for (std::size_t i = 0; i < rows.size(); ++i) to.*fields[i % STAT_COUNT].value += rows[i];
 }
 
+void add(Statistics& to, const Statistics& statistics)
+{
+    for (const StatisticsField& f : fields) to.*f.value += statistics.*f.value;
+}
+
 std::string describe_faults(const Statistics& statistics)
 {
     std::string out;

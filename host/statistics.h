@@ -30,6 +30,8 @@ std::span<const StatisticsField, STAT_COUNT> statistics_fields();
 /// Adds the rows that a launch counted: STAT_SLOTS rows of STAT_COUNT.
 void add_rows(Statistics& to, std::span<const std::uint32_t> rows);
 
+void add(Statistics& to, const Statistics& statistics);
+
 /// "parity 3, stuck 1"; empty if nothing is wrong.
 std::string describe_faults(const Statistics& statistics);
 

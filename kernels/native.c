@@ -4,6 +4,7 @@
 #include "kernels/native_api.h"
 
 #include "kernels/packets/trace.h"
+#include "kernels/selftest.h"
 
 #ifdef CLU_FULL_SEARCH
 #define NATIVE(name) name##_full
@@ -11,6 +12,16 @@
 #define NATIVE(name) name##_d
 #else
 #define NATIVE(name) name##_f
+#endif
+
+#if !defined(CLU_ONLY_RENDER) && !defined(CLU_DOUBLE)
+const NativeCapacities native_capacities = {CLU_INTERIOR_CAPACITY, CLU_STACK_CAPACITY, CLU_GROUP_CAPACITY,
+                                            CLU_WALK_CAPACITY};
+
+void native_selftest(const float in[4], float results[5])
+{
+    test_arithmetic(in, results);
+}
 #endif
 
 static World make_world(const NativeScene* scene)
@@ -74,7 +85,7 @@ void NATIVE(native_render)(const NativeScene* scene, u32 x0, u32 y0, u32 width, 
     for (u32 j = 0; j < height; j++) {
         for (u32 i = 0; i < width; i++) {
             float* pixel = rgba + 4 * ((size_t)j * width + i);
-            pixel[0] = pixel[1] = pixel[2] = pixel[3] = 0;
+            if (sample_begin == 0) pixel[0] = pixel[1] = pixel[2] = pixel[3] = 0;
             for (u32 sample = sample_begin; sample < sample_end; sample++) {
                 const rgb color = observe(&world, x0 + i, y0 + j, sample);
                 pixel[0] += (float)color.r;
@@ -99,8 +110,8 @@ void NATIVE(native_render_packets)(const NativeScene* scene, u32 x0, u32 y0, u32
             for (u32 j = 0; j < block.height; j++) {
                 for (u32 i = 0; i < block.width; i++) {
                     float* pixel = rgba + 4 * ((size_t)(at_y + j) * width + at_x + i);
-                    for (u32 k = 0; k < 3; k++) pixel[k] = (float)light.sums[j * PACKET_TILE + i][k];
-                    pixel[3] = 0;
+                    if (sample_begin == 0) pixel[0] = pixel[1] = pixel[2] = pixel[3] = 0;
+                    for (u32 k = 0; k < 3; k++) pixel[k] += (float)light.sums[j * PACKET_TILE + i][k];
                 }
             }
         }

@@ -15,6 +15,14 @@ typedef struct {
     const void* buffers[BUFFER_COUNT];
 } NativeScene;
 
+/* What a scene may need at most, as scene::Needs counts it. */
+typedef struct {
+    u32 interior, stack, groups, walk;
+} NativeCapacities;
+extern const NativeCapacities native_capacities;
+/* kernels/selftest.h */
+void native_selftest(const float in[4], float results[5]);
+
 /* A ray, and the primitive that it leaves (MEMBER_NONE: none). err is that of the surface it leaves, else 0. */
 typedef struct {
     double o[3], d[3];
@@ -32,7 +40,8 @@ typedef struct {
 } NativeSurface;
 
 /* Samples sample_begin..sample_end-1 of the pixels x0..x0+width-1, y0..y0+height-1 (all within the picture): their
- * sums of r, g, b, 0 go to rgba, row by row; counters are added to stats[STAT_COUNT]. */
+ * sums of r, g, b, 0 are added to rgba, row by row, or begin it anew from sample 0 on; counters are added to
+ * stats[STAT_COUNT]. */
 void native_render_f(const NativeScene* scene, u32 x0, u32 y0, u32 width, u32 height, u32 sample_begin, u32 sample_end,
                      float* rgba, u32* stats);
 void native_render_d(const NativeScene* scene, u32 x0, u32 y0, u32 width, u32 height, u32 sample_begin, u32 sample_end,

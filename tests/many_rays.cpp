@@ -2,7 +2,7 @@
 /// what never must happen. Prints a table; exits with 1 if a bound is broken. docs/numerics.md has its results.
 #include "many_rays_make.h"
 
-#include "bench/share_work.h"
+#include "host/share_work.h"
 #include "scene/write.h"
 
 #include <CLI/CLI.hpp>
@@ -213,7 +213,7 @@ Tally try_kind(const Kind& kind, std::uint64_t rays, std::uint64_t seed, unsigne
 {
     const std::uint64_t solids = (rays + rays_of_a_solid - 1) / rays_of_a_solid;
     std::vector<Tally> tallies(threads);
-    bench::share_work(solids, threads, [&](std::uint64_t i, unsigned worker) {
+    host::share_work(solids, threads, [&](std::uint64_t i, unsigned worker) {
         Tally& tally = tallies[worker];
         Random random(seed * 0x9e3779b97f4a7c15ULL + i);
         Trial<P> trial(random_solid(random, kind), kind.most_units, random, tally);

@@ -87,6 +87,10 @@ class Cli(unittest.TestCase):
     def render(self, *arguments, **settings):
         return self.run_program("render", "scene.clu", "-s", "32x18", *arguments, **settings)
 
+    def bytes(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
     def files(self):
         return sorted(os.listdir(self.folder))
 
@@ -194,11 +198,70 @@ class Cli(unittest.TestCase):
     def test_the_flag_wins_over_the_environment(self):
         self.render("--device", "0:0", env={"CLUCIDA_DEVICE": "no such"})
 
-    def test_without_any_device_it_ends_with_1_and_says_what_to_install(self):
+    def test_devices_are_chosen_by_number_by_part_of_a_name_by_kind_and_all(self):
+        found = [d for d in json.loads(self.run_program("devices", "--json", "--no-test")[0]) if d["id"] != "native"]
+        first = found[0]
+        self.render("--device", first["id"], "-o", "first.pfm")
+        ways = ["0:0,0:0"]
+        if sum(first["name"] in d["name"] for d in found) == 1:
+            ways.append(first["name"].upper())
+        if len(found) == 1:
+            ways += [first["platform"][:8].lower(), "cpu", "all", ""]
+        for selector in ways:
+            _, err = self.render("--device", selector, "-o", "again.pfm")
+            self.assertIn("device " + first["id"], err)
+            self.assertEqual(self.bytes("again.pfm"), self.bytes("first.pfm"))
+        if not any(d["kind"] == "gpu" for d in found):
+            _, err = self.render("--device", "gpu", code=1)
+            self.assertIn("'gpu'", err)
+        _, err = self.render("--device", "0:0,,native", code=2)
+        self.assertIn("between two commas", err)
+
+    def test_an_ambiguous_device_ends_with_1_and_lists_those_meant(self):
+        # PoCL shows as many devices as it is told to.
+        env = {"POCL_DEVICES": "basic pthread"}
+        found = json.loads(self.run_program("devices", "--json", "--no-test", env=env)[0])
+        one, two = (d["id"] for d in found if d["platform"] == "Portable Computing Language")
+        _, err = self.render("--device", "portable computing", code=1, env=env)
+        for word in ("several", one + " ", two + " "):
+            self.assertIn(word, err)
+        self.render("--device", "basic", env=env)
+
+    def test_two_devices_draw_one_picture_and_the_frames_of_a_film(self):
+        env = {"POCL_DEVICES": "basic pthread"}
+        found = json.loads(self.run_program("devices", "--json", "--no-test", env=env)[0])
+        one, two = (d["id"] for d in found if d["platform"] == "Portable Computing Language")
+        common = ["render", "scene.clu", "-s", "400x300", "--samples", "20"]
+        _, err = self.run_program(*common, "-o", "both.pfm", "--device", one + "," + two, env=env)
+        self.assertIn("device " + one, err)
+        self.assertIn("device " + two, err)
+        self.assertNotIn("differs", err)
+        self.run_program(*common, "-o", "alone.pfm", "--device", two, env=env)
+        self.assertEqual(self.bytes("both.pfm"), self.bytes("alone.pfm"))
+        self.run_program(*common, "-o", "%d.pfm", "--frames", "1-2", "--device", one + "," + two, env=env)
+        self.assertEqual(self.bytes("1.pfm"), self.bytes("alone.pfm"))
+
+    def test_the_native_device_draws_what_opencl_draws(self):
+        for precision in ("float", "double"):
+            common = ["render", "scene.clu", "-s", "320x180", "--precision", precision]
+            self.run_program(*common, "-o", "a.pfm")
+            _, err = self.run_program(*common, "-o", "b.pfm", "--device", "native")
+            self.assertIn("without OpenCL", err)
+            found = json.loads(self.run_program("compare", "a.pfm", "b.pfm", "--json")[0])
+            self.assertLess(found["max_error"], 1e-5)
+
+    def test_without_opencl_it_renders_natively_and_says_what_to_install(self):
         os.mkdir(self.path("empty"))
-        for arguments in (["render", "scene.clu"], ["devices"], ["devices", "--json"]):
-            _, err = self.run_program(*arguments, code=1, env={"OCL_ICD_VENDORS": self.path("empty")})
+        env = {"OCL_ICD_VENDORS": self.path("empty")}
+        for device in ([], ["--device", "cpu"], ["--device", "all"]):
+            _, err = self.render(*device, env=env)
+            self.assertIn("native", err)
             self.assertIn("pocl-opencl-icd", err)
+        found = json.loads(self.run_program("devices", "--json", env=env)[0])
+        self.assertEqual([d["id"] for d in found], ["native"])
+        self.assertTrue(found[0]["default"])
+        _, err = self.render("--device", "gpu", code=1, env=env)
+        self.assertIn("pocl-opencl-icd", err)
 
     def test_devices_lists_them_with_one_default(self):
         found = json.loads(self.run_program("devices", "--json")[0])

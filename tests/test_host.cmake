@@ -6,6 +6,7 @@ clucida_test(test_host_frames test_host_frames.cpp LIBS clucida_host)
 clucida_test(test_picture test_picture.cpp LIBS clucida_host)
 clucida_test(test_flip test_flip.cpp LIBS clucida_host)
 clucida_test(test_host_device test_host_device.cpp LIBS clucida_host)
+clucida_test(test_trace test_trace.cpp LIBS clucida_host)
 
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 add_test(NAME test_cli COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/test_cli.py $<TARGET_FILE:clucida>)

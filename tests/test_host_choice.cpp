@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 namespace clucida::host {
 namespace {
 
@@ -87,10 +85,43 @@ TEST(DeviceChoice, an_ambiguous_name_is_an_error_that_lists_the_matches)
     EXPECT_EQ(text.find("Thing"), std::string::npos) << text;
 }
 
-TEST(DeviceChoice, all_gives_all_but_one_picture_takes_one)
+TEST(DeviceChoice, all_gives_all_where_one_will_not_do)
 {
     EXPECT_EQ(choose_devices(some_devices(), "all").size(), 4U);
     EXPECT_THROW(choose_device(some_devices(), "all"), UsageError);
+}
+
+TEST(DeviceChoice, a_list_gives_each_once_in_its_order)
+{
+    EXPECT_EQ(choose_devices(some_devices(), "odd,2:1,gpu,3:0"), (std::vector<std::size_t>{3, 2, 1}));
+    EXPECT_THROW(choose_devices(some_devices(), "odd,card"), Failure);
+    EXPECT_THROW(choose_devices(some_devices(), "odd,nothing"), Failure);
+    for (const char* wrong : {",", "odd,", ",odd", "odd,,gpu"})
+        EXPECT_THROW(choose_devices(some_devices(), wrong), UsageError) << wrong;
+}
+
+/// With the native device behind.
+std::vector<DeviceInfo> with_native(std::vector<DeviceInfo> devices)
+{
+    devices.push_back(make(0, 0, "native", "Zen of Processors", DeviceKind::cpu));
+    devices.back().native = true;
+    return devices;
+}
+
+TEST(DeviceChoice, the_native_device_is_taken_by_its_name_or_for_want_of_another)
+{
+    const auto all = with_native(some_devices());
+    EXPECT_EQ(choose_device(all, "native"), 4U);
+    EXPECT_EQ(choose_device(all, "zen"), 0U) << "a part of its processor's name means OpenCL's device";
+    EXPECT_EQ(choose_device(all, "0:0"), 0U);
+    EXPECT_EQ(choose_device(all, "cpu"), 0U);
+    EXPECT_EQ(choose_devices(all, "all").size(), 4U);
+    EXPECT_EQ(choose_devices(all, "native,gpu"), (std::vector<std::size_t>{4, 1}));
+    const auto alone = with_native({});
+    for (const char* word : {"", "cpu", "all", "native"}) EXPECT_EQ(choose_device(alone, word), 0U) << word;
+    EXPECT_NE(message(alone, "gpu").find("--device native"), std::string::npos);
+    EXPECT_THROW(choose_device(alone, "zen"), Failure);
+    EXPECT_THROW(choose_device(alone, "0:0"), Failure);
 }
 
 TEST(DeviceChoice, no_device_is_a_failure_that_says_what_to_install)
@@ -141,43 +172,11 @@ TEST(Tiling, a_group_fits_what_device_and_kernel_can_take)
     EXPECT_EQ(area(choose_group(1)), 1U);
 }
 
-TEST(Tiling, a_tile_is_whole_groups_within_budget_and_memory)
+TEST(Tiling, shapes_are_rounded_up_to_whole_grains)
 {
-    const Shape picture{1920, 1080}, group{16, 4};
-    for (int power = -9; power < 1; ++power) {
-        const double seconds = 0.7 * std::pow(10, power);
-        const Shape tile = choose_tile(picture, group, seconds, {});
-        EXPECT_EQ(tile.width % group.width, 0U);
-        EXPECT_EQ(tile.height % group.height, 0U);
-        EXPECT_LE(area(tile), std::size_t{1} << 20);
-        EXPECT_TRUE(tile == group || static_cast<double>(area(tile)) * seconds <= 0.25) << seconds;
-    }
-    EXPECT_EQ(choose_tile({100, 50}, group, 1e-7, {}), (Shape{112, 52}));
-    EXPECT_EQ(choose_tile({1, 1}, group, 0, {}), group);
-}
-
-TEST(Tiling, a_row_of_tiles_of_a_wide_picture_keeps_within_memory)
-{
-    const TileLimits limits;
-    for (const unsigned width : {4096U, 16384U, 65536U})
-        for (const double seconds : {0.0, 1e-8, 1e-6}) {
-            const Shape group{16, 4}, tile = choose_tile({width, 16384}, group, seconds, limits);
-            EXPECT_LE(std::size_t{width} * tile.height, limits.band_pixels);
-            EXPECT_LE(area(tile), limits.pixels);
-            EXPECT_GE(area(tile), std::min(1.0, 0.25 / seconds / limits.pixels) * limits.pixels * 0.9) << width;
-        }
-    EXPECT_EQ(choose_tile({65536, 16384}, {16, 4}, 0, {.band_pixels = 1}).height, 4U);
-}
-
-TEST(Tiling, tiles_cover_every_pixel_once)
-{
-    const Tiling tiling{{37, 23}, {16, 8}};
-    std::vector<int> seen(std::size_t{37} * 23);
-    for (std::size_t i = 0; i < tiling.count(); ++i)
-        for (unsigned y = 0; y < tiling.visible(i).height; ++y)
-            for (unsigned x = 0; x < tiling.visible(i).width; ++x)
-                ++seen[std::size_t{37} * (tiling.y0(i) + y) + tiling.x0(i) + x];
-    for (const int n : seen) ASSERT_EQ(n, 1);
+    EXPECT_EQ(round_up({100, 50}, {16, 4}), (Shape{112, 52}));
+    EXPECT_EQ(round_up({0, 0}, {16, 4}), (Shape{16, 4}));
+    EXPECT_EQ(common_multiple({16, 4}, {32, 6}), (Shape{32, 12}));
 }
 
 TEST(BuildLog, the_summary_holds_the_errors_and_only_the_first_of_many)

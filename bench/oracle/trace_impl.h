@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bench/oracle/light_impl.h"
-#include "bench/share_work.h"
+#include "host/share_work.h"
 
 namespace clucida::oracle {
 
@@ -325,7 +325,7 @@ template <class Real>
 std::vector<Path> render(const World<Real>& world, std::span<const Pixel> pixels, unsigned threads)
 {
     std::vector<Path> paths(pixels.size());
-    bench::share_work(pixels.size(), threads, [&](std::size_t i, unsigned) {
+    host::share_work(pixels.size(), threads, [&](std::size_t i, unsigned) {
         paths[i] = observe(world, pixels[i].x, pixels[i].y, pixels[i].sample);
     });
     return paths;

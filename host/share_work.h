@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-namespace clucida::bench {
+namespace clucida::host {
 
 /// Calls work(item, worker) once for each item below count. Workers are numbered below threads (at least 1), and the
 /// caller's thread is one of them; what a worker calls must not throw.
@@ -22,4 +22,4 @@ void share_work(std::size_t count, unsigned threads, const Work& work)
     take(0);
 }
 
-} // namespace clucida::bench
+} // namespace clucida::host
