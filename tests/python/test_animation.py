@@ -97,6 +97,14 @@ def test_a_film_has_all_frames(name: str, tmp_path: Path) -> None:
     assert told.strip(" ,\n") == "5"
 
 
+def test_a_film_names_its_colours(tmp_path: Path) -> None:
+    c.write_sequence([world(0)], str(tmp_path / "film.mp4"), size=(32, 18))
+    entries = "stream=color_space,color_primaries,color_transfer,color_range"
+    probe = ["ffprobe", "-v", "error", "-show_entries", entries, "-of", "default=nk=1:nw=1", str(tmp_path / "film.mp4")]
+    told = subprocess.run(probe, check=True, capture_output=True, text=True).stdout.split()
+    assert sorted(told) == ["bt709", "bt709", "iec61966-2-1", "tv"]
+
+
 def test_a_film_that_cannot_be_written_is_an_error_and_leaves_nothing(tmp_path: Path) -> None:
     with pytest.raises(c.RenderError, match="could not write"):
         c.write_sequence(c.Animation(world, frames=3), str(tmp_path / "no/such/folder.mp4"), size=(32, 18))

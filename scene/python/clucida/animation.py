@@ -204,7 +204,12 @@ def _write_film(pictures: Iterator[Picture], output: str, fps: float) -> None:
     command = [program, "-v", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24"]
     command += ["-s", f"{first.width}x{first.height}", "-r", f"{fps:g}", "-i", "-"]
     if file.suffix.lower() != ".gif":
-        command += ["-pix_fmt", "yuv420p", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2"]
+        # Even sides, and the colours that `clucida render` gives films, with their names.
+        command += [
+            "-vf",
+            "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv,format=yuv420p",
+        ]
+        command += ["-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "iec61966-2-1"]
     try:
         with subprocess.Popen([*command, str(unfinished)], stdin=subprocess.PIPE) as encoder:
             assert encoder.stdin
