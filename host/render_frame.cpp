@@ -187,6 +187,7 @@ void make_all_ready(std::vector<Member>& team, const scene::Compiled& compiled, 
     const bool several = team.size() > 1;
     if (several) {
         std::vector<std::jthread> threads;
+        threads.reserve(team.size());
         for (Member& m : team)
             threads.emplace_back([&] { try_to_make_ready(m, compiled, frame.needs, settings, several); });
     } else {
@@ -213,6 +214,7 @@ void render_once(std::vector<Member>& team, const scene::Compiled& compiled, con
     if (hooks.cancelled && hooks.cancelled()) throw Interrupted();
 
     std::vector<Worker> workers;
+    workers.reserve(team.size());
     for (const Member& m : team) workers.push_back({m.tracer.get(), m.renderer->sample_seconds.value_or(0)});
     frame.statistics = {};
     frame.timings.kernels = 0;
