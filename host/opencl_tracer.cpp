@@ -108,7 +108,7 @@ std::unique_ptr<Tracer> make_opencl_tracer(const Renderer& renderer, const Devic
     Entry entry{renderer, cl::Kernel(renderer.program.handle, "render"), {1, 1}, packet_block};
     for (cl_uint i = 0; i < BUFFER_COUNT; ++i) entry.kernel.setArg(i, buffers[i]);
     if (renderer.kernel == KernelShape::pixels) {
-        entry.items = group_of(renderer, entry.kernel, settings.group ? settings.group : renderer.group);
+        entry.items = group_of(renderer, entry.kernel, settings.group);
         entry.block = {1, 1};
     }
     return std::make_unique<OpenclTracer>(std::move(entry));

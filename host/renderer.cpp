@@ -38,11 +38,11 @@ Shape group_of(const Renderer& renderer, const cl::Kernel& kernel, std::optional
     const DeviceInfo& device = renderer.device.info;
     const std::size_t most = std::min<std::size_t>(
         kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(renderer.device.handle), device.max_group);
-    if (!wanted) return choose_group(most);
-    if (area(*wanted) > most)
+    if (wanted && area(*wanted) > most)
         throw Failure(fmt::format("a work-group of {}x{} is too large for {}: at most {} work-items", wanted->width,
                                   wanted->height, describe(device), most));
-    return *wanted;
+    if (wanted) return *wanted;
+    return renderer.group && area(*renderer.group) <= most ? *renderer.group : choose_group(most);
 }
 
 void enqueue_each(const Renderer& renderer, const cl::Kernel& kernel, std::size_t count)

@@ -103,7 +103,8 @@ using DeviceBuffers = std::array<cl::Buffer, BUFFER_COUNT>;
 /// @throws Failure if the device cannot hold it, cl::Error
 DeviceBuffers upload(const Renderer& renderer, const scene::Buffers& buffers);
 
-/// The shape of the kernel's work-groups. @throws Failure if the wanted one is more than the device can
+/// The shape of the kernel's work-groups: the wanted one, else the renderer's if the kernel can take as many, else the
+/// usual one. @throws Failure if the wanted one is more than it can
 Shape group_of(const Renderer& renderer, const cl::Kernel& kernel, std::optional<Shape> wanted);
 
 /// Launches a kernel that traces with an item for each of `count` things, and some that are to spare: the work-group is
