@@ -8,8 +8,8 @@ namespace {
 
 constexpr std::uint32_t all_lights =
     scene::feature_light_paper | scene::feature_light_lambert | scene::feature_light_inverse_square;
-constexpr std::uint32_t all_skies = scene::feature_sky_gradient | scene::feature_sky_rgb | scene::feature_sky_hsv |
-                                    scene::feature_sky_photograph;
+constexpr std::uint32_t all_skies =
+    scene::feature_sky_gradient | scene::feature_sky_rgb | scene::feature_sky_hsv | scene::feature_sky_photograph;
 
 using Each = std::uint64_t host::Statistics::*;
 
@@ -23,11 +23,14 @@ public:
 
     Ablation& add(const std::string& name, How how, Each each = nullptr)
     {
-        return rows_.emplace_back(Ablation{name, how, scene_.compiled, settings_, each});
+        return rows_.emplace_back(Ablation{name, how, scene_.compiled, settings_, each, Stage::none});
     }
-    void add_stage(const std::string& name, How how, const std::string& stage, Each each = nullptr)
+    void add_stage(const std::string& name, How how, const std::string& kernels, Stage stage = Stage::none,
+                   Each each = nullptr)
     {
-        add(name, how, each).settings.kernels = stage_kernels(stage);
+        Ablation& row = add(name, how, each);
+        row.settings.kernels = stage_kernels(kernels);
+        row.stage = stage;
     }
     /// Without features that the scene has: of those of which there are none there is no row.
     void add_without(const std::string& name, std::uint32_t features)
@@ -46,17 +49,18 @@ private:
 void add_stages(Rows& rows, const AblationScene& scene)
 {
     using host::Statistics;
-    rows.add_stage("any search and all that follows", How::left_out, "unseen", &Statistics::queries);
+    rows.add_stage("any search and all that follows", How::left_out, "unseen", Stage::observer, &Statistics::queries);
     rows.add_stage("shading, and all rays that follow", How::left_out, "unshaded");
     if (scene.counted.rays > scene.counted.primary) {
         Ablation& one_hop = rows.add("rays after the observer's", How::left_out);
         one_hop.compiled = scene.one_hop;
         one_hop.compiled.needs = scene.compiled.needs;
     }
-    rows.add_stage("the quick search", How::twice, "searched_twice", &Statistics::queries);
-    rows.add_stage("confirming surfaces", How::twice, "confirmed_twice", &Statistics::queries);
-    if (scene.counted.full) rows.add_stage("the full search", How::twice, "full_twice", &Statistics::full);
-    if (scene.counted.shadow) rows.add_stage("the search of shadow rays", How::left_out, "unhidden", &Statistics::shadow);
+    rows.add_stage("the quick search", How::twice, "searched_twice", Stage::search, &Statistics::queries);
+    rows.add_stage("confirming surfaces", How::twice, "confirmed_twice", Stage::confirm, &Statistics::queries);
+    if (scene.counted.full) rows.add_stage("the full search", How::twice, "full_twice", Stage::full, &Statistics::full);
+    if (scene.counted.shadow)
+        rows.add_stage("the search of shadow rays", How::left_out, "unhidden", Stage::shadow, &Statistics::shadow);
 }
 
 void add_features(Rows& rows)
@@ -70,7 +74,8 @@ void add_features(Rows& rows)
 
 void add_other_ways(Rows& rows, const AblationScene& scene, const host::RenderSettings& settings)
 {
-    const bool packets = scene.kernel == host::KernelShape::packets, twofold = settings.precision == host::Precision::twofold;
+    const bool packets = scene.kernel == host::KernelShape::packets,
+               twofold = settings.precision == host::Precision::twofold;
     rows.add(packets ? "the kernel of pixels" : "the kernel of packets", How::instead).settings.kernel =
         packets ? host::KernelShape::pixels : host::KernelShape::packets;
     if (scene.device.has_double || twofold)

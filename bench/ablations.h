@@ -18,6 +18,9 @@ enum class How {
     instead   ///< another way to the whole picture: it has a ratio, and costs nothing by itself
 };
 
+/// What a frame's work is divided into; of some rows the cost is a stage's.
+enum class Stage { none, observer, search, confirm, full, shadow };
+
 struct Ablation {
     std::string name; ///< for people: what is left out, done twice or put in place
     How how = How::whole;
@@ -25,6 +28,7 @@ struct Ablation {
     host::RenderSettings settings;
     /// The cost divided by this many is what one costs, ns; nullptr: none are to be named.
     std::uint64_t host::Statistics::*each = nullptr;
+    Stage stage = Stage::none; ///< observer: the row's time; else its cost
 };
 
 /// What a scene's ablations are made of.

@@ -166,7 +166,8 @@ InstructionMix executed_mix(const ExecutedCode& code)
     for (const auto& [file, times] : code.files) {
         if (times.empty() || !fs::is_regular_file(file)) continue;
         constexpr std::uint64_t longest = 15; // bytes of an instruction
-        for (const CodeFunction& f : disassemble(file, AddressRange{times.begin()->first, times.rbegin()->first + longest}))
+        for (const CodeFunction& f :
+             disassemble(file, AddressRange{times.begin()->first, times.rbegin()->first + longest}))
             for (const CodeLine& line : f.code)
                 if (const auto found = times.find(line.address); found != times.end())
                     add(out, classify(line.text), found->second);

@@ -14,12 +14,12 @@ namespace clucida::bench {
 
 /// As callgrind names its events; 0 what was not counted.
 struct CallgrindEvents {
-    std::uint64_t instructions = 0;                                     ///< Ir
-    std::uint64_t data_reads = 0, data_writes = 0;                      ///< Dr, Dw
-    std::uint64_t l1_instruction_misses = 0, l1_data_misses = 0;        ///< I1mr, D1mr + D1mw
-    std::uint64_t last_instruction_misses = 0, last_data_misses = 0;    ///< ILmr, DLmr + DLmw: to memory
+    std::uint64_t instructions = 0;                                       ///< Ir
+    std::uint64_t data_reads = 0, data_writes = 0;                        ///< Dr, Dw
+    std::uint64_t l1_instruction_misses = 0, l1_data_misses = 0;          ///< I1mr, D1mr + D1mw
+    std::uint64_t last_instruction_misses = 0, last_data_misses = 0;      ///< ILmr, DLmr + DLmw: to memory
     std::uint64_t conditional_branches = 0, conditional_mispredicted = 0; ///< Bc, Bcm
-    std::uint64_t indirect_branches = 0, indirect_mispredicted = 0;     ///< Bi, Bim
+    std::uint64_t indirect_branches = 0, indirect_mispredicted = 0;       ///< Bi, Bim
 };
 
 struct ExecutedCode {

@@ -32,8 +32,7 @@ ProfileSettings settings_of(const ProfileOptions& o)
     out.picture = host::parse_picture_size(o.size);
     out.executed_picture = host::parse_picture_size(o.executed_size);
     out.precision = o.precision == "double" ? host::Precision::twofold : host::Precision::single;
-    if (o.kernel != "auto")
-        out.kernel = o.kernel == "packets" ? host::KernelShape::packets : host::KernelShape::pixels;
+    if (o.kernel != "auto") out.kernel = o.kernel == "packets" ? host::KernelShape::packets : host::KernelShape::pixels;
     out.rounds = o.rounds;
     out.compiler = o.compiler;
     out.oracle_threads = std::max(std::thread::hardware_concurrency(), 1U);

@@ -6,8 +6,8 @@
 
 namespace clucida::bench {
 
-/// Floating-point operations a second of all processors: fma in a loop of independent vectors, in the best of some
-/// widths and rounds. @throws host::Failure
+/// Floating-point operations a second of one of the device's processors: fma in a loop of independent vectors, in the
+/// best of some widths and rounds. @throws host::Failure
 double measure_peak(const host::Device& device, host::Precision precision);
 
 /// Cycles a second of the processor that this thread runs on, by a chain of products that each wait for the one before;

@@ -37,7 +37,6 @@ std::vector<CodeFunction> disassemble(const std::filesystem::path& file, std::op
 /// Each of its instructions once.
 InstructionMix mix_of(const CodeFunction& function);
 
-
 std::vector<std::filesystem::path> machine_code_in(const std::filesystem::path& folder);
 
 } // namespace clucida::bench

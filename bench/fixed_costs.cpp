@@ -25,9 +25,7 @@ FixedCosts measure_builds(const SpeedTask& task, const std::filesystem::path& fo
 {
     nlohmann::json request = to_json(task);
     request["do"] = "open";
-    const auto open = [&] {
-        return WorkerProcess(task.scene.file, "speed-worker", caches_in(folder)).ask(request);
-    };
+    const auto open = [&] { return WorkerProcess(task.scene.file, "speed-worker", caches_in(folder)).ask(request); };
     const nlohmann::json cold = open(), cached = open();
     FixedCosts out;
     out.cold_build = cold.at("build");

@@ -2,29 +2,14 @@
 
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <vector>
 
 namespace clucida::bench {
 namespace {
 
-constexpr int mantissa_bits = 10, least_exponent = -14, exponent_bias = 15;
-constexpr double largest = 65504;
-constexpr std::uint16_t sign_bit = 0x8000, infinity_bits = 0x7c00;
-
-double rounded(double v, Rounding rounding)
-{
-    switch (rounding) {
-    case Rounding::down: return std::floor(v);
-    case Rounding::up: return std::ceil(v);
-    case Rounding::nearest: break;
-    }
-    return std::nearbyint(v); // to even
-}
-
 float to_half(float v)
 {
-    if (std::fabs(v) > largest) return v; // all of space (LayoutPlaneBlock), or no bounding sphere
+    if (std::fabs(v) > largest_half) return v; // all of space (LayoutPlaneBlock), or no bounding sphere
     return static_cast<float>(half_value(half_bits(v, Rounding::nearest)));
 }
 
@@ -72,36 +57,6 @@ void move_center(LayoutObject& object)
 }
 
 } // namespace
-
-std::uint16_t half_bits(double value, Rounding rounding)
-{
-    const std::uint16_t sign = std::signbit(value) ? sign_bit : 0;
-    const double magnitude = std::fabs(value);
-    const bool outward = rounding == (sign ? Rounding::down : Rounding::up);
-    if (std::isinf(value)) return sign | infinity_bits;
-    if (magnitude == 0) return sign;
-    const int exponent = std::max(std::ilogb(magnitude), least_exponent);
-    const double unit = std::ldexp(1.0, exponent - mantissa_bits);
-    const double out = std::fabs(rounded(value / unit, rounding)) * unit;
-    if (out > largest) {
-        const bool over = outward || rounding == Rounding::nearest;
-        return sign | (over ? infinity_bits : infinity_bits - 1U);
-    }
-    if (out == 0) return sign;
-    const int e = std::max(std::ilogb(out), least_exponent);
-    const auto mantissa = static_cast<unsigned>(std::ldexp(out, mantissa_bits - e)); // 1024..2047, less if subnormal
-    const unsigned biased = mantissa >= 1U << mantissa_bits ? static_cast<unsigned>(e + exponent_bias) : 0U;
-    return static_cast<std::uint16_t>(sign | (biased << mantissa_bits) | (mantissa & ((1U << mantissa_bits) - 1U)));
-}
-
-double half_value(std::uint16_t bits)
-{
-    const int exponent = bits >> mantissa_bits & 31, mantissa = bits & ((1 << mantissa_bits) - 1);
-    const double sign = bits & sign_bit ? -1 : 1;
-    if (exponent == 31) return mantissa ? std::nan("") : sign * std::numeric_limits<double>::infinity();
-    if (exponent == 0) return sign * std::ldexp(mantissa, least_exponent - mantissa_bits);
-    return sign * std::ldexp(mantissa + (1 << mantissa_bits), exponent - exponent_bias - mantissa_bits);
-}
 
 scene::Compiled with_half_boxes(const scene::Compiled& compiled)
 {
@@ -167,12 +122,11 @@ std::size_t coordinate_bytes(const scene::Buffers& buffers)
 {
     const auto count = [&](LayoutBuffer which, std::size_t item) { return buffers.bytes[which].size() / item; };
     constexpr std::size_t plane = 4, block = 4 * PLANE_BLOCK, sphere = 4, quadric = 14, torus = 8, object = 3; // floats
-    return sizeof(float) * (plane * count(BUFFER_PLANES, sizeof(LayoutPlane)) +
-                            block * count(BUFFER_BLOCKS, sizeof(LayoutPlaneBlock)) +
-                            sphere * count(BUFFER_SPHERES, sizeof(LayoutSphere)) +
-                            quadric * count(BUFFER_QUADRICS, sizeof(LayoutQuadric)) +
-                            torus * count(BUFFER_TORI, sizeof(LayoutTorus)) +
-                            object * count(BUFFER_OBJECTS, sizeof(LayoutObject)));
+    return sizeof(float) *
+           (plane * count(BUFFER_PLANES, sizeof(LayoutPlane)) + block * count(BUFFER_BLOCKS, sizeof(LayoutPlaneBlock)) +
+            sphere * count(BUFFER_SPHERES, sizeof(LayoutSphere)) +
+            quadric * count(BUFFER_QUADRICS, sizeof(LayoutQuadric)) + torus * count(BUFFER_TORI, sizeof(LayoutTorus)) +
+            object * count(BUFFER_OBJECTS, sizeof(LayoutObject)));
 }
 
 } // namespace clucida::bench

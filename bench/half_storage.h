@@ -1,19 +1,12 @@
-/// Scenes as storage in half precision would have them (IEEE 754 binary16: 11 bits, up to 65504).
+/// Scenes as storage in half precision would have them.
 #pragma once
 
+#include "bench/half.h"
 #include "scene/compile.h"
 
-#include <cstdint>
+#include <cstddef>
 
 namespace clucida::bench {
-
-enum class Rounding { nearest, down, up };
-
-/// The half's bits. Beyond the largest half is infinity, but for what is rounded towards 0.
-std::uint16_t half_bits(double value, Rounding rounding);
-
-/// The number that it is.
-double half_value(std::uint16_t bits);
 
 /// The tree's boxes in halves, rounded outward, for kernels of bench/variants/half. The picture is the same.
 scene::Compiled with_half_boxes(const scene::Compiled& compiled);

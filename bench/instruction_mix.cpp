@@ -18,7 +18,8 @@ Operation vector_operation(std::string_view stem)
     if (starts_with_any(stem, {"sqrt", "rsqrt"})) return Operation::square_root;
     if (is_any(stem, {"min", "max"})) return Operation::min_max;
     if (starts_with_any(stem, {"cmp", "ucomi", "comi", "blend", "test", "fpclass"})) return Operation::compare_blend;
-    if (starts_with_any(stem, {"cvt", "round", "rndscale", "reduce", "range", "getexp", "getmant", "scalef", "fixupimm"}))
+    if (starts_with_any(stem,
+                        {"cvt", "round", "rndscale", "reduce", "range", "getexp", "getmant", "scalef", "fixupimm"}))
         return Operation::convert;
     if (is_any(stem, {"and", "andn", "or", "xor"})) return Operation::logic;
     if (starts_with_any(stem, {"gather", "scatter"})) return Operation::gather;
@@ -76,6 +77,8 @@ void classify_vector(std::string_view stem, Instruction& out)
         out.operation = Operation::vector_integer;
     } else if (take_type(stem, out)) {
         out.operation = vector_operation(stem);
+        if (out.operation == Operation::shuffle) out.packed = true; // "vbroadcastss" fills all lanes
+        if (out.operation == Operation::mask) out.element = Element::none;
     } else {
         out.operation = stem.starts_with("perm") ? Operation::shuffle : Operation::vector_integer;
     }
@@ -165,7 +168,8 @@ std::string describe(const InstructionKind& kind)
 
 void add(InstructionMix& mix, const Instruction& i, std::uint64_t times)
 {
-    mix.kinds[{i.operation, i.element, i.packed, i.packed || i.element == Element::none ? i.width : 0}] += times;
+    const bool of_lanes = i.packed || i.element == Element::none;
+    mix.kinds[{i.operation, i.element, i.element != Element::none && i.packed, of_lanes ? i.width : 0}] += times;
     mix.instructions += times;
     (i.element == Element::single ? mix.single_flops : mix.double_flops) += times * flops(i);
     if (i.load_bits) mix.loads[i.load_bits] += times;

@@ -8,8 +8,8 @@
 namespace clucida::bench {
 namespace {
 
-constexpr std::array prefixes{"lock", "rep",    "repz", "repnz", "repe",   "repne", "notrack", "bnd", "data16",
-                              "cs",   "{evex}", "{vex}", "ds",   "addr32", "rex",   "xacquire", "xrelease"};
+constexpr std::array prefixes{"lock", "rep",    "repz",  "repnz", "repe",   "repne", "notrack",  "bnd",     "data16",
+                              "cs",   "{evex}", "{vex}", "ds",    "addr32", "rex",   "xacquire", "xrelease"};
 constexpr std::string_view spaces = " \t";
 
 std::string_view trimmed(std::string_view text)
@@ -98,6 +98,7 @@ unsigned plain_bits(const InstructionText& text)
 {
     const std::string_view m = text.mnemonic;
     if (m.starts_with("kmov")) return suffix_bits(m.back() == 'd' ? 'l' : m.back());
+    if (starts_with_any(m, {"call", "jmp"})) return 64;
     if (m.starts_with("set")) return 8;
     if (starts_with_any(m, {"movzb", "movsb"})) return 8;
     if (starts_with_any(m, {"movzw", "movsw"})) return 16;

@@ -36,9 +36,9 @@ struct ProfileTime {
     std::optional<host::Comparison> error;
 };
 
-/// What the device and the processor can do at most.
+/// What a processor can do at most.
 struct Peaks {
-    double flops = 0; ///< of all processors of the device in the precision, a second
+    double flops = 0; ///< of one of the device's, in the precision, a second
     double clock = 0; ///< cycles a second; 0: not known
 };
 

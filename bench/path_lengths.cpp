@@ -44,8 +44,8 @@ PathLengths measure_path_lengths(const host::Device& device, const scene::Compil
     host::PathTracer tracer = host::make_path_tracer(renderer, compiled, compiled.needs, settings);
     std::vector<host::Pixel> pixels;
     for (const std::size_t i : grid_pixels(settings.picture, most_pixels))
-        pixels.push_back({static_cast<cl_uint>(i % settings.picture.width),
-                          static_cast<cl_uint>(i / settings.picture.width)});
+        pixels.push_back(
+            {static_cast<cl_uint>(i % settings.picture.width), static_cast<cl_uint>(i / settings.picture.width)});
     host::Statistics counted;
     PathLengths out;
     out.pixels = pixels.size();

@@ -89,7 +89,8 @@ void print_executed_functions(std::FILE* to, const ExecutedPicture& e)
 {
     constexpr std::size_t most = 12;
     std::vector<std::pair<std::string, CallgrindEvents>> functions(e.code.functions.begin(), e.code.functions.end());
-    std::ranges::sort(functions, [](const auto& a, const auto& b) { return a.second.instructions > b.second.instructions; });
+    std::ranges::sort(functions,
+                      [](const auto& a, const auto& b) { return a.second.instructions > b.second.instructions; });
     if (functions.size() > most) functions.resize(most);
     fmt::print(to, "\nExecuted, by function, without what they call:\n\n"
                    "| function | of all instructions | branches mispredicted a ray | L1 misses a ray |\n"
@@ -110,10 +111,12 @@ void print_code(std::FILE* to, const SceneProfile& p)
     std::vector<Column> columns;
     for (const StaticCode& code : p.code) {
         columns.push_back({code.all, static_cast<double>(std::max<std::uint64_t>(code.all.instructions, 1)), true});
-        fmt::print(to, " in the code of {} |", &code == &p.code.front() && p.code.size() > 1 ? "the device" : "the native build");
+        fmt::print(to, " in the code of {} |",
+                   &code == &p.code.front() && p.code.size() > 1 ? "the device" : "the native build");
     }
     if (p.executed) {
-        columns.push_back({p.executed->mix, static_cast<double>(std::max<std::uint64_t>(all_rays(p.executed->counted), 1))});
+        columns.push_back(
+            {p.executed->mix, static_cast<double>(std::max<std::uint64_t>(all_rays(p.executed->counted), 1))});
         fmt::print(to, " executed a ray |");
     }
     fmt::print(to, "\n|---|");
@@ -122,18 +125,19 @@ void print_code(std::FILE* to, const SceneProfile& p)
     print_kinds(to, columns);
     print_accesses(to, columns, "loads of", &InstructionMix::loads);
     print_accesses(to, columns, "stores of", &InstructionMix::stores);
-    fmt::print(to, "\nIn the code: as it lies in the file, each instruction once, however often it runs; in per cent of "
-                   "them. Loads and stores are operands of the instructions above them.\n");
+    fmt::print(to,
+               "\nIn the code: as it lies in the file, each instruction once, however often it runs; in per cent of "
+               "them. Loads and stores are operands of the instructions above them.\n");
     for (const StaticCode& code : p.code) print_functions(to, code);
     if (!p.executed) return;
-    fmt::print(to,
-               "\nExecuted: {}, {}x{}, one thread, under Valgrind; {} of {} instructions could be told by their text.\n",
-               p.executed->what, p.executed->picture.width, p.executed->picture.height, p.executed->mix.instructions,
-               p.executed->code.total.instructions);
+    fmt::print(
+        to, "\nExecuted: {}, {}x{}, one thread, under Valgrind; {} of {} instructions could be told by their text.\n",
+        p.executed->what, p.executed->picture.width, p.executed->picture.height, p.executed->mix.instructions,
+        p.executed->code.total.instructions);
     print_executed_functions(to, *p.executed);
 }
 
-void print_limits(std::FILE* to, const SceneProfile& p, const host::DeviceInfo& device)
+void print_limits(std::FILE* to, const SceneProfile& p)
 {
     const ExecutedPicture& e = *p.executed;
     const CallgrindEvents& events = e.code.total;
@@ -141,7 +145,6 @@ void print_limits(std::FILE* to, const SceneProfile& p, const host::DeviceInfo& 
     const double seconds = e.cpu / rays, cycles = seconds * p.peaks.clock;
     const auto a_ray = [&](std::uint64_t n) { return static_cast<double>(n) / rays; };
     const double flop = a_ray(e.mix.single_flops + e.mix.double_flops);
-    const double peak = p.peaks.flops / std::max(device.compute_units, 1U);
     const double mispredicted = a_ray(events.conditional_mispredicted + events.indirect_mispredicted);
     fmt::print(to, "\n### What limits it\n\n| a ray | |\n|---|---:|\n");
     const auto row = [&](const char* name, const std::string& value) { fmt::print(to, "| {} | {} |\n", name, value); };
@@ -153,7 +156,8 @@ void print_limits(std::FILE* to, const SceneProfile& p, const host::DeviceInfo& 
     }
     row("floating-point operations", fmt::format("{:.0f}", flop));
     row("... GFLOP/s", fmt::format("{:.2f}", 1e-9 * flop / seconds));
-    row("... of the device's peak on one processor", fmt::format("{:.1f} % of {:.0f} GFLOP/s", 100 * flop / seconds / peak, 1e-9 * peak));
+    row("... of the device's peak on one processor",
+        fmt::format("{:.1f} % of {:.0f} GFLOP/s", 100 * flop / seconds / p.peaks.flops, 1e-9 * p.peaks.flops));
     row("divisions and roots, instructions",
         fmt::format("{:.1f}", a_ray(count(e.mix, Operation::divide) + count(e.mix, Operation::square_root))));
     row("branches", fmt::format("{:.1f}", a_ray(events.conditional_branches + events.indirect_branches)));
@@ -162,8 +166,9 @@ void print_limits(std::FILE* to, const SceneProfile& p, const host::DeviceInfo& 
     row("first cache missed: data, instructions",
         fmt::format("{:.3f}, {:.3f}", a_ray(events.l1_data_misses), a_ray(events.l1_instruction_misses)));
     row("all caches missed", fmt::format("{:.4f}", a_ray(events.last_data_misses + events.last_instruction_misses)));
-    fmt::print(to, "\nCounts are Valgrind's, with its own branch predictor and caches of this processor's sizes; time is that "
-                   "of the same code without it, one thread. Peak is what fma in a loop attains on the device.\n");
+    fmt::print(
+        to, "\nCounts are Valgrind's, with its own branch predictor and caches of this processor's sizes; time is that "
+            "of the same code without it, one thread. Peak is what fma in a loop attains on the device.\n");
 }
 
 } // namespace clucida::bench

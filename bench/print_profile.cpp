@@ -41,6 +41,43 @@ std::string cost_cells(const AblationTime& t)
     return fmt::format("{:.2f} ± {:.2f} | {:.1f} % | {} |", 1e3 * t.cost, 1e3 * t.cost_spread, 100 * t.share, each);
 }
 
+const AblationTime* find_time(const SceneProfile& p, Stage stage)
+{
+    for (const ProfileTime& row : p.times)
+        if (row.time.stage == stage) return &row.time;
+    return nullptr;
+}
+
+/// What the stages cost together, and what is left for shading and the stacks of rays.
+void print_stages(std::FILE* to, const SceneProfile& p, const host::DeviceInfo& device)
+{
+    const double whole = median(counting_times(p.times.front().time, device));
+    double rest = whole;
+    fmt::print(to, "\n| stage | ms | of all |\n|---|---:|---:|\n");
+    const auto row = [&](const char* name, double seconds) {
+        fmt::print(to, "| {} | {:.2f} | {:.1f} % |\n", name, 1e3 * seconds, 100 * seconds / whole);
+    };
+    if (const AblationTime* t = find_time(p, Stage::observer)) {
+        const double seconds = median(counting_times(*t, device));
+        row("the observer's rays, launch and way back", seconds);
+        rest -= seconds;
+    }
+    const std::pair<Stage, const char*> costs[] = {{Stage::search, "quick searches"},
+                                                   {Stage::confirm, "confirming surfaces"},
+                                                   {Stage::full, "full searches"},
+                                                   {Stage::shadow, "searches of shadow rays"}};
+    for (const auto& [stage, name] : costs) {
+        const AblationTime* t = find_time(p, stage);
+        if (!t) continue;
+        row(name, t->cost);
+        rest -= t->cost;
+    }
+    row("the rest: shading, stacks of rays", rest);
+    fmt::print(to,
+               "\nWhat is done twice finds its data in the caches and its branches foreseen: its cost is rather too "
+               "low, and the rest too high.\n");
+}
+
 } // namespace
 
 std::uint64_t all_rays(const host::Statistics& counted)
@@ -75,7 +112,7 @@ void print_counts(std::FILE* to, const SceneProfile& p, const ProfileSettings& s
                         {"searches", s.queries},
                         {"... and the full search after", s.full},
                         {"objects tested past their bound", s.tests},
-                        {"nodes opened", p.nodes},
+                        {"nodes opened on walks through the tree", p.nodes},
                         {"silent crossings", s.silent},
                         {"rays ended by the cutoff", s.cut_branches},
                         {"rays ended by the hop limit", s.hop_branches}};
@@ -97,23 +134,30 @@ void print_times(std::FILE* to, const SceneProfile& p, const ProfileSettings& se
                "|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
     for (const ProfileTime& row : p.times) {
         const AblationTime& t = row.time;
+        if (t.meaningless) continue;
         const std::vector<double>& times = counting_times(t, device);
         fmt::print(to, "| {} | {} | {:.2f} | {:.2f} | {} {:.2f} | {:.2f} | {:.1e} | {} |\n", t.name, how_name(t.how),
                    1e3 * median(times), 1e3 * interquartile_range(times), cost_cells(t), t.ratio,
                    ratio(t.counted.rays, p.counted.rays), t.change.rmse,
                    row.error ? fmt::format("{:.1e}", row.error->rmse) : "-");
     }
-    fmt::print(to,
-               "\nMilliseconds of {}, medians of {} rounds in turns. A cost is the median of the rounds' differences to "
-               "the whole, ± their interquartile range; ratio is to the whole's time, and so are rays, without shadow "
-               "rays. Change is from the whole's picture, error from the oracle's over {} pixels on a grid, where a row "
-               "claims to be right. What is left out changes the picture; where that changes the rays too the cost "
-               "is theirs as well.\n",
-               cpu ? "the processor" : "the clock", settings.rounds, settings.error_pixels);
+    fmt::print(
+        to,
+        "\nMilliseconds of {}, medians of {} rounds in turns. A cost is the median of the rounds' differences to "
+        "the whole, ± their interquartile range; ratio is to the whole's time, and so are rays, without shadow "
+        "rays. Change is from the whole's picture, error from the oracle's over {} pixels on a grid, where a row "
+        "claims to be right. What is left out changes the picture; where that changes the rays too the cost "
+        "is theirs as well.\n",
+        cpu ? "the processor" : "the clock", settings.rounds, settings.error_pixels);
+    for (const ProfileTime& row : p.times)
+        if (row.time.meaningless)
+            fmt::print(to, "Without {} there are {:.1f} times as many rays, so that it has no row.\n", row.time.name,
+                       ratio(row.time.counted.rays, p.counted.rays));
     fmt::print(to,
                "Halves: {} of the scene's bytes are coordinates, {} boxes; half as many would do, and 4 of 7 for "
                "boxes with their references.\n",
                p.coordinate_bytes, p.node_bytes);
+    print_stages(to, p, device);
 }
 
 void print_fixed(std::FILE* to, const SceneProfile& p)
@@ -124,16 +168,16 @@ void print_fixed(std::FILE* to, const SceneProfile& p)
         std::string name;
         double seconds;
     };
-    const Row rows[] = {{"read the scene", f.read},
-                        {"compile the scene", f.compile},
-                        {"build the program, empty cache", f.cold_build},
-                        {"first launch, empty cache", f.cold_launch},
-                        {"build, cached", f.cached_build},
-                        {"first launch, cached", f.cached_launch},
-                        {fmt::format("upload {} bytes", f.scene_bytes), f.upload},
-                        {"an empty launch and its buffers", f.empty_launch},
-                        {fmt::format("launch, and {} bytes on their way back", f.picture_bytes + f.counter_bytes),
-                         f.way_back}};
+    const Row rows[] = {
+        {"read the scene", f.read},
+        {"compile the scene", f.compile},
+        {"build the program, empty cache", f.cold_build},
+        {"first launch, empty cache", f.cold_launch},
+        {"build, cached", f.cached_build},
+        {"first launch, cached", f.cached_launch},
+        {fmt::format("upload {} bytes", f.scene_bytes), f.upload},
+        {"an empty launch and its buffers", f.empty_launch},
+        {fmt::format("launch, and {} bytes on their way back", f.picture_bytes + f.counter_bytes), f.way_back}};
     fmt::print(to, "\n### What does not depend on the rays\n\n| | ms |\n|---|---:|\n");
     for (const Row& row : rows) fmt::print(to, "| {} | {:.3f} |\n", row.name, 1e3 * row.seconds);
     fmt::print(to, "\nBy the clock. The last row is what tracing takes beyond the kernel's own time{}.\n",
@@ -150,7 +194,7 @@ void print_profile(std::FILE* to, const SceneProfile& p, const ProfileSettings& 
     if (settings.parts.times) print_times(to, p, settings, device);
     if (settings.parts.fixed) print_fixed(to, p);
     if (!p.code.empty() || p.executed) print_code(to, p);
-    if (p.executed) print_limits(to, p, device);
+    if (p.executed) print_limits(to, p);
     for (const std::string& note : p.notes) fmt::print(to, "\nMissing: {}.\n", note);
     fmt::print(to, "\n");
 }

@@ -11,7 +11,7 @@
 namespace clucida::bench {
 namespace {
 
-constexpr unsigned rounds = 9;          ///< of the picture that is timed
+constexpr unsigned rounds = 9;         ///< of the picture that is timed
 constexpr double least_seconds = 0.05; ///< of each of them
 
 host::Statistics statistics_of(const nlohmann::json& answer)
@@ -67,8 +67,7 @@ ExecutedPicture count_executed(SpeedTask task, const std::filesystem::path& fold
     }
     const std::filesystem::path requests = folder / "requests";
     host::write_file(requests, open.dump() + "\n" + R"({"do": "turn"})" + "\n");
-    const std::string function =
-        std::string("native_render") + (packets ? "_packets" : "") + (twofold ? "_d" : "_f");
+    const std::string function = std::string("native_render") + (packets ? "_packets" : "") + (twofold ? "_d" : "_f");
     out.code = run_callgrind("speed-worker", requests, function, folder);
     out.mix = executed_mix(out.code);
     return out;

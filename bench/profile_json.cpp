@@ -21,14 +21,9 @@ Json mix_json(const InstructionMix& mix)
     for (const auto& [kind, times] : mix.kinds) kinds[describe(kind)] = times;
     for (const auto& [bits, times] : mix.loads) loads[std::to_string(bits)] = times;
     for (const auto& [bits, times] : mix.stores) stores[std::to_string(bits)] = times;
-    return {{"instructions", mix.instructions},
-            {"float_flops", mix.single_flops},
-            {"double_flops", mix.double_flops},
-            {"load_bytes", mix.load_bytes},
-            {"store_bytes", mix.store_bytes},
-            {"kinds", kinds},
-            {"loads_by_bits", loads},
-            {"stores_by_bits", stores}};
+    return {{"instructions", mix.instructions}, {"float_flops", mix.single_flops}, {"double_flops", mix.double_flops},
+            {"load_bytes", mix.load_bytes},     {"store_bytes", mix.store_bytes},  {"kinds", kinds},
+            {"loads_by_bits", loads},           {"stores_by_bits", stores}};
 }
 
 /// What every entry begins with; milliseconds.
@@ -169,7 +164,8 @@ Json profile_json(std::span<const SceneProfile> profiles, const ProfileSettings&
     Json& entries = out["benchmarks"];
     for (const SceneProfile& p : profiles) {
         if (settings.parts.counts) entries.push_back(counts_json(p, settings));
-        for (const ProfileTime& row : p.times) entries.push_back(time_json(p, row, settings.rounds));
+        for (const ProfileTime& row : p.times)
+            if (!row.time.meaningless) entries.push_back(time_json(p, row, settings.rounds));
         if (settings.parts.fixed) entries.push_back(fixed_json(p));
         for (const StaticCode& code : p.code) entries.push_back(code_json(p, code));
         if (p.executed) entries.push_back(executed_json(p, *p.executed));

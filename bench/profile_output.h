@@ -22,7 +22,7 @@ void print_fixed(std::FILE* to, const SceneProfile& profile);
 
 /// What machine code there is, and what of it was executed; what that says of the processor.
 void print_code(std::FILE* to, const SceneProfile& profile);
-void print_limits(std::FILE* to, const SceneProfile& profile, const host::DeviceInfo& device);
+void print_limits(std::FILE* to, const SceneProfile& profile);
 
 /// "context" and "benchmarks".
 nlohmann::ordered_json profile_json(std::span<const SceneProfile> profiles, const ProfileSettings& settings,

@@ -7,6 +7,8 @@
 namespace clucida::bench {
 namespace {
 
+constexpr double most_more_rays = 1.02; ///< with which a row still tells what something costs
+
 /// With a renderer of its own, which keeps its program.
 struct Contender {
     Ablation ablation;
@@ -75,15 +77,21 @@ std::vector<AblationTime> time_ablations(const host::Device& device, std::vector
         Contender& c = contenders.back();
         c.time.name = c.ablation.name;
         c.time.how = c.ablation.how;
+        c.time.stage = c.ablation.stage;
         render(c);
         forget_times(c.time);
+        c.time.meaningless = c.ablation.how == How::left_out &&
+                             static_cast<double>(c.time.counted.rays) >
+                                 most_more_rays * static_cast<double>(contenders.front().time.counted.rays);
         advance();
     }
     for (unsigned round = 0; round < rounds; ++round)
         for (std::size_t turn = 0; turn < contenders.size(); ++turn, advance())
-            render(contenders[(round + turn) % contenders.size()]); // nobody always comes first
+            if (Contender& c = contenders[(round + turn) % contenders.size()]; !c.time.meaningless)
+                render(c); // nobody always comes first
     std::vector<AblationTime> out;
-    for (Contender& c : contenders) judge(c, contenders.front(), device.info);
+    for (Contender& c : contenders)
+        if (!c.time.meaningless) judge(c, contenders.front(), device.info);
     for (Contender& c : contenders) out.push_back(std::move(c.time));
     return out;
 }

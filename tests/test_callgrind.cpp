@@ -7,7 +7,8 @@
 namespace clucida::bench {
 namespace {
 
-/// A function of five instructions, which calls another twice. The lines after calls= tell what these calls cost in all.
+/// A function of five instructions, which calls another twice. The lines after calls= tell what these calls cost in
+/// all.
 constexpr const char* profile = R"(# callgrind format
 version: 1
 positions: instr line

@@ -11,10 +11,10 @@ namespace {
 
 TEST(HalfStorage, knows_the_halves_of_the_standard)
 {
-    const std::pair<double, unsigned> expected[] = {{0, 0x0000},         {1, 0x3c00},     {-2, 0xc000},
-                                                    {65504, 0x7bff},     {0.5, 0x3800},   {0x1p-14, 0x0400},
-                                                    {0x1p-24, 0x0001},   {1023 * 0x1p-24, 0x03ff},
-                                                    {1.0 / 3, 0x3555},   {65520, 0x7c00}, {0x1p-26, 0x0000}};
+    const std::pair<double, unsigned> expected[] = {
+        {0, 0x0000},       {1, 0x3c00},       {-2, 0xc000},      {65504, 0x7bff},
+        {0.5, 0x3800},     {0x1p-14, 0x0400}, {0x1p-24, 0x0001}, {1023 * 0x1p-24, 0x03ff},
+        {1.0 / 3, 0x3555}, {65520, 0x7c00},   {0x1p-26, 0x0000}};
     for (const auto& [value, bits] : expected) EXPECT_EQ(half_bits(value, Rounding::nearest), bits) << value;
     EXPECT_EQ(half_bits(-std::numeric_limits<double>::infinity(), Rounding::nearest), 0xfc00U);
 }

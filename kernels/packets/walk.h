@@ -72,12 +72,13 @@ INLINED void packet_walk_open(PacketWalk* walk, __global const LayoutNode* node,
         const real ix = walk->over_lanes[0][k], iy = walk->over_lanes[1][k], iz = walk->over_lanes[2][k];
         const real ox = walk->o_lanes[0][k], oy = walk->o_lanes[1][k], oz = walk->o_lanes[2][k];
         const u32 x = ix < R(0) ? 3u : 0u, y = iy < R(0) ? 4u : 1u, z = iz < R(0) ? 5u : 2u;
-        const wide near = wide_larger(wide_larger(reach(node_bounds(node, x), ox, ix), reach(node_bounds(node, y), oy, iy)),
-                                      wide_larger(reach(node_bounds(node, z), oz, iz), wide_all(from[k])));
-        const wide far =
-            wide_smaller(wide_smaller(reach(node_bounds(node, 3u - x), ox, ix), reach(node_bounds(node, 5u - y), oy, iy)),
-                         reach(node_bounds(node, 7u - z), oz, iz)) *
-            wide_all(R(1) + R(8) * UNIT_ROUNDOFF);
+        const wide near =
+            wide_larger(wide_larger(reach(node_bounds(node, x), ox, ix), reach(node_bounds(node, y), oy, iy)),
+                        wide_larger(reach(node_bounds(node, z), oz, iz), wide_all(from[k])));
+        const wide far = wide_smaller(wide_smaller(reach(node_bounds(node, 3u - x), ox, ix),
+                                                   reach(node_bounds(node, 5u - y), oy, iy)),
+                                      reach(node_bounds(node, 7u - z), oz, iz)) *
+                         wide_all(R(1) + R(8) * UNIT_ROUNDOFF);
         const wide_mask hit = near <= wide_smaller(far, wide_all(to[k]));
         nearest = where(hit, wide_smaller(near, nearest), nearest);
         met |= (u64)wide_bits(hit) << (8u * k);
