@@ -121,7 +121,8 @@ scene::Compiled with_half_colors(const scene::Compiled& compiled)
 std::size_t coordinate_bytes(const scene::Buffers& buffers)
 {
     const auto count = [&](LayoutBuffer which, std::size_t item) { return buffers.bytes[which].size() / item; };
-    constexpr std::size_t plane = 4, block = 4 * PLANE_BLOCK, sphere = 4, quadric = 14, torus = 8, object = 3; // floats
+    constexpr std::size_t plane = 4, block = std::size_t{4} * PLANE_BLOCK, sphere = 4, quadric = 14, torus = 8,
+                          object = 3; // floats
     return sizeof(float) *
            (plane * count(BUFFER_PLANES, sizeof(LayoutPlane)) + block * count(BUFFER_BLOCKS, sizeof(LayoutPlaneBlock)) +
             sphere * count(BUFFER_SPHERES, sizeof(LayoutSphere)) +

@@ -1,11 +1,11 @@
 /// What machine code is made of: x86-64 instructions, by what they do and how wide.
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
+#include <tuple>
 
 namespace clucida::bench {
 
@@ -55,7 +55,11 @@ struct InstructionKind {
     Element element = Element::none;
     bool packed = false;
     unsigned width = 0;
-    auto operator<=>(const InstructionKind&) const = default;
+    bool operator<(const InstructionKind& other) const
+    {
+        return std::tie(operation, element, packed, width) <
+               std::tie(other.operation, other.element, other.packed, other.width);
+    }
 };
 
 /// "fma packed float 256", "integer"

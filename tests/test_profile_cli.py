@@ -98,8 +98,10 @@ class Profile(unittest.TestCase):
 
     def test_a_table_tells_each_cost(self):
         text = self.run_profile(self.scene, "--parts", "counts,time").stdout
-        lines = [line for line in text.split("### Time")[1].splitlines() if line.startswith("|")]
-        self.assertEqual({line.count("|") for line in lines}, {12})
+        times, stages = text.split("### Time")[1].split("| stage |")
+        self.assertEqual({line.count("|") for line in times.splitlines() if line.startswith("|")}, {12})
+        shares = [line.split("|")[3] for line in stages.splitlines() if line.startswith("| ")][1:]
+        self.assertAlmostEqual(sum(float(share.strip(" %")) for share in shares), 100, 0)
         self.assertIn("| the quick search | twice |", text)
         self.assertIn("Faults: none.", text)
 
