@@ -7,6 +7,7 @@
 namespace clucida::bench {
 namespace {
 
+constexpr double least_turn = 0.05;     ///< s
 constexpr double most_more_rays = 1.02; ///< with which a row still tells what something costs
 
 /// With a renderer of its own, which keeps its program.
@@ -16,17 +17,25 @@ struct Contender {
     AblationTime time;
 };
 
-/// Renders the frame, and notes its times.
+/// A turn: renders the frame for a while, at least once, and notes the medians of its times.
 void render(Contender& c)
 {
-    host::Frame frame =
-        host::render_frame(c.renderer, c.ablation.compiled, c.ablation.settings, {{}, host::interrupted, {}});
-    c.ablation.compiled.needs = frame.needs;
-    c.time.real.push_back(frame.timings.trace);
-    c.time.device.push_back(frame.timings.kernels);
-    c.time.cpu.push_back(frame.timings.trace_cpu);
-    c.time.counted = frame.statistics;
-    c.time.picture = std::move(frame.picture);
+    std::vector<double> real, device, cpu;
+    double sum = 0;
+    do {
+        host::Frame frame =
+            host::render_frame(c.renderer, c.ablation.compiled, c.ablation.settings, {{}, host::interrupted, {}});
+        c.ablation.compiled.needs = frame.needs;
+        c.time.counted = frame.statistics;
+        c.time.picture = std::move(frame.picture);
+        real.push_back(frame.timings.trace);
+        device.push_back(frame.timings.kernels);
+        cpu.push_back(frame.timings.trace_cpu);
+        sum += frame.timings.trace;
+    } while (sum < least_turn);
+    c.time.real.push_back(median(real));
+    c.time.device.push_back(median(device));
+    c.time.cpu.push_back(median(cpu));
 }
 
 void forget_times(AblationTime& time)
