@@ -63,10 +63,11 @@ void add_stages(Rows& rows, const AblationScene& scene)
         rows.add_stage("the search of shadow rays", How::left_out, "unhidden", Stage::shadow, &Statistics::shadow);
 }
 
+/// Fresnel's weights are no row: without them surfaces reflect all that their filters let pass, and rays multiply by
+/// hundreds.
 void add_features(Rows& rows)
 {
     rows.add_without("lights", all_lights);
-    rows.add_without("Fresnel's weights", scene::feature_fresnel);
     rows.add_without("extinction in media", scene::feature_extinction);
     rows.add_without("photographs on surfaces", scene::feature_texture);
     rows.add_without("the sky but for a plain colour", all_skies);
