@@ -1,5 +1,7 @@
-/// Which 32-bit format should hold a filter? Random filters, packed and unpacked, alone and as products of several:
-/// how far the product is off in steps of an 8-bit sRGB picture. Prints the table of docs/numerics.md.
+/// Which 32-bit format should hold a filter, and would halves be better? Random filters, packed and unpacked, alone and
+/// as products of several: how far the product is off in steps of an 8-bit sRGB picture. Prints the table of
+/// docs/numerics.md.
+#include "bench/half.h"
 #include "kernels/native_api.h"
 #include "scene/pack.h"
 
@@ -39,6 +41,14 @@ Rgb shared_exponent(const Rgb& c)
     const double most = std::max({c.r, c.g, c.b, 1e-9});
     const double unit = std::ldexp(1.0, std::max(-15, std::ilogb(most) + 1) - 9);
     const auto channel = [unit](double v) { return std::min(511.0, std::round(v / unit)) * unit; };
+    return {channel(c.r), channel(c.g), channel(c.b)};
+}
+
+Rgb halves(const Rgb& c)
+{
+    const auto channel = [](double v) {
+        return clucida::bench::half_value(clucida::bench::half_bits(v, clucida::bench::Rounding::nearest));
+    };
     return {channel(c.r), channel(c.g), channel(c.b)};
 }
 
@@ -93,6 +103,7 @@ int main()
         {"linear 11-11-10", linear_11_11_10},
         {"9-9-9 with a shared exponent of 5", shared_exponent},
         {"sRGB 8-8-8", srgb_8},
+        {"three halves, 48 bits", halves},
     };
     fmt::print("| format | 1 filter: rms, max | 3 filters | 6 filters | 1 dark filter |\n|---|---|---|---|---|\n");
     for (const auto& [name, format] : formats) {

@@ -6,6 +6,7 @@
 namespace clucida::bench {
 
 void add_error(CLI::App& app);
+void add_profile(CLI::App& app);
 void add_speed(CLI::App& app);
 void add_speed_worker(CLI::App& app);
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Instructions that the kernels' core executes for a picture: a second opinion on speed, which no noise reaches.
 
-bench/instruction_counts.py PROGRAM SCENE... [--size WxH] [--samples N] [--double] [--compiler NAME] [--as-original]
+bench/instruction_counts.py PROGRAM SCENE... [--size WxH] [--samples N] [--double] [--kernel NAME] [--compiler NAME]
+                            [--as-original]
 PROGRAM is clucida-bench. Prints a Markdown table.
 
 Valgrind's callgrind counts what the native build of the core (`clucida-bench speed --native`) executes, and what it
@@ -43,15 +44,16 @@ def measure(scene, options, folder):
     width, height = (int(side) for side in options.size.split("x"))
     task = {
         "do": "open", "scene": scene, "as_original": options.as_original, "width": width, "height": height,
-        "samples": options.samples, "double": options.double, "threads": 1, "compiler": options.compiler,
-        "march": MARCH, "folder": folder,
+        "samples": options.samples, "double": options.double, "packets": options.kernel == "packets", "threads": 1,
+        "compiler": options.compiler, "march": MARCH, "folder": folder,
     }  # fmt: skip
     turn = {"do": "turn"}
     # First without: it compiles, and tells the capacities that suffice, so that no picture is rendered twice below.
     ready, first = tell([task, turn], [options.program])
     task.update(interior=first["interior"], stack=first["stack"])
     output = os.path.join(folder, "callgrind.out")
-    valgrind = ["valgrind", "--tool=callgrind", "--toggle-collect=native_render_" + "fd"[options.double]]
+    function = "native_render_" + ("packets_" if options.kernel == "packets" else "") + "fd"[options.double]
+    valgrind = ["valgrind", "--tool=callgrind", "--toggle-collect=" + function]
     answers = tell([task, turn], valgrind + ["--callgrind-out-file=" + output, options.program])
     statistics = answers[1]["statistics"]
     instructions = counted_instructions(output)
@@ -69,6 +71,7 @@ def main():
     parser.add_argument("-s", "--size", default="64x36", help="of the picture")
     parser.add_argument("--samples", type=int, default=1, help="of each pixel")
     parser.add_argument("--double", action="store_true", help="in double instead of float")
+    parser.add_argument("--kernel", choices=("packets", "pixels"), default="packets", help="of the two that render")
     parser.add_argument("--compiler", default="", help="else clang, else cc")
     parser.add_argument("--as-original", action="store_true", help="imitate the original programs")
     options = parser.parse_args()
@@ -84,7 +87,7 @@ def main():
             own = os.path.join(folder, str(number))
             os.mkdir(own)
             what = measure(scene, options, own)
-    print("\n%s, %s, %s" % (options.size, "double" if options.double else "float", what))
+    print("\n%s, %s, kernel of %s, %s" % (options.size, "double" if options.double else "float", options.kernel, what))
 
 
 if __name__ == "__main__":

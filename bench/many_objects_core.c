@@ -9,7 +9,7 @@
 #define CLU_GROUP_CAPACITY 1
 #define CLU_WALK_CAPACITY 128
 #define CLU_ONLY_RENDER
-#define NODE_OPENED() nodes_opened++
+#define NODE_OPENED(world, rays) (nodes_opened += (rays))
 
 unsigned long nodes_opened;
 

@@ -2,7 +2,7 @@
 #ifndef CLUCIDA_TREE_H
 #define CLUCIDA_TREE_H
 
-#include "kernels/wide.h"
+#include "kernels/node.h"
 #include "kernels/world.h"
 
 /* A walk along a ray. What waits lies on a stack, the nearest of a node's children on top. */
@@ -35,25 +35,25 @@ INLINED void walk_begin(Walk* walk, const Ray* ray)
 }
 
 /* Where the ray reaches eight bounds of one axis. The bounds and o are exact, so this is right to three roundings. */
-INLINED wide reach(__global const float* bounds, real o, real inverse)
+INLINED wide reach(wide bounds, real o, real inverse)
 {
-    return (load_wide(bounds) - wide_all(o)) * wide_all(inverse);
+    return (bounds - wide_all(o)) * wide_all(inverse);
 }
 
-/* A benchmark counts the nodes that are opened. */
+/* A benchmark counts the nodes that are opened, once for each ray. */
 #ifndef NODE_OPENED
-#define NODE_OPENED() ((void)0)
+#define NODE_OPENED(world, rays) ((void)0)
 #endif
 
 /* Puts the node's children that are met between from and to onto the stack, sorted down to base. */
 INLINED void walk_open(Walk* walk, __global const LayoutNode* node, real from, real to, u32 base)
 {
-    const wide near_x = reach(node->bounds[walk->near_x], walk->o.x, walk->inverse.x);
-    const wide near_y = reach(node->bounds[walk->near_y], walk->o.y, walk->inverse.y);
-    const wide near_z = reach(node->bounds[walk->near_z], walk->o.z, walk->inverse.z);
-    const wide far_x = reach(node->bounds[walk->far_x], walk->o.x, walk->inverse.x);
-    const wide far_y = reach(node->bounds[walk->far_y], walk->o.y, walk->inverse.y);
-    const wide far_z = reach(node->bounds[walk->far_z], walk->o.z, walk->inverse.z);
+    const wide near_x = reach(node_bounds(node, walk->near_x), walk->o.x, walk->inverse.x);
+    const wide near_y = reach(node_bounds(node, walk->near_y), walk->o.y, walk->inverse.y);
+    const wide near_z = reach(node_bounds(node, walk->near_z), walk->o.z, walk->inverse.z);
+    const wide far_x = reach(node_bounds(node, walk->far_x), walk->o.x, walk->inverse.x);
+    const wide far_y = reach(node_bounds(node, walk->far_y), walk->o.y, walk->inverse.y);
+    const wide far_z = reach(node_bounds(node, walk->far_z), walk->o.z, walk->inverse.z);
     const wide near = wide_larger(wide_larger(near_x, near_y), wide_larger(near_z, wide_all(from)));
     const wide far = wide_smaller(wide_smaller(far_x, far_y), far_z) * wide_all(R(1) + R(8) * UNIT_ROUNDOFF);
     u32 bits = wide_bits(near <= wide_smaller(far, wide_all(to)));
@@ -91,7 +91,7 @@ static CALLED u32 walk_next(Walk* walk, const World* world, real from, real to)
             node = ref & ~NODE_INNER;
             base = walk->count;
         }
-        NODE_OPENED();
+        NODE_OPENED(world, 1u);
         walk_open(walk, &world->nodes[node], from, to, base);
     }
 }

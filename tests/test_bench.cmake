@@ -13,10 +13,17 @@ clucida_test(test_divergence test_divergence.cpp LIBS clucida_error)
 clucida_test(test_measure_error test_measure_error.cpp LIBS clucida_error)
 clucida_test(test_speed test_speed.cpp LIBS clucida_speed)
 clucida_oracle_test(test_steps test_steps.cpp LIBS clucida_error)
+clucida_test(test_instruction_mix test_instruction_mix.cpp LIBS clucida_profile)
+clucida_test(test_callgrind test_callgrind.cpp LIBS clucida_profile)
+clucida_test(test_half_storage test_half_storage.cpp LIBS clucida_profile)
 
 add_test(NAME test_bench_cli
          COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/test_bench_cli.py $<TARGET_FILE:clucida-bench>)
 set_tests_properties(test_bench_cli PROPERTIES TIMEOUT 600)
+
+add_test(NAME test_profile_cli
+         COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/test_profile_cli.py $<TARGET_FILE:clucida-bench>)
+set_tests_properties(test_profile_cli PROPERTIES TIMEOUT 1200)
 
 add_test(NAME test_corpus COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/test_corpus.py
          $<TARGET_FILE:clucida> ${CMAKE_SOURCE_DIR}/bench)

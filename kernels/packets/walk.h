@@ -54,9 +54,9 @@ INLINED wide_mask packet_meets_box(const PacketWalk* walk, const World* world, w
     __global const LayoutNode* node = &world->nodes[(walk->next - 1u) / LANES];
     const u32 k = (walk->next - 1u) % LANES;
     wide near = from, far = wide_all(INFINITE);
-    box_axis(R(node->bounds[0][k]), R(node->bounds[3][k]), walk->o.x, walk->inverse.x, &near, &far);
-    box_axis(R(node->bounds[1][k]), R(node->bounds[4][k]), walk->o.y, walk->inverse.y, &near, &far);
-    box_axis(R(node->bounds[2][k]), R(node->bounds[5][k]), walk->o.z, walk->inverse.z, &near, &far);
+    box_axis(node_bound(node, 0, k), node_bound(node, 3, k), walk->o.x, walk->inverse.x, &near, &far);
+    box_axis(node_bound(node, 1, k), node_bound(node, 4, k), walk->o.y, walk->inverse.y, &near, &far);
+    box_axis(node_bound(node, 2, k), node_bound(node, 5, k), walk->o.z, walk->inverse.z, &near, &far);
     return near <= wide_smaller(far * (R(1) + R(8) * UNIT_ROUNDOFF), to);
 }
 
@@ -72,12 +72,13 @@ INLINED void packet_walk_open(PacketWalk* walk, __global const LayoutNode* node,
         const real ix = walk->over_lanes[0][k], iy = walk->over_lanes[1][k], iz = walk->over_lanes[2][k];
         const real ox = walk->o_lanes[0][k], oy = walk->o_lanes[1][k], oz = walk->o_lanes[2][k];
         const u32 x = ix < R(0) ? 3u : 0u, y = iy < R(0) ? 4u : 1u, z = iz < R(0) ? 5u : 2u;
-        const wide near = wide_larger(wide_larger(reach(node->bounds[x], ox, ix), reach(node->bounds[y], oy, iy)),
-                                      wide_larger(reach(node->bounds[z], oz, iz), wide_all(from[k])));
-        const wide far =
-            wide_smaller(wide_smaller(reach(node->bounds[3u - x], ox, ix), reach(node->bounds[5u - y], oy, iy)),
-                         reach(node->bounds[7u - z], oz, iz)) *
-            wide_all(R(1) + R(8) * UNIT_ROUNDOFF);
+        const wide near =
+            wide_larger(wide_larger(reach(node_bounds(node, x), ox, ix), reach(node_bounds(node, y), oy, iy)),
+                        wide_larger(reach(node_bounds(node, z), oz, iz), wide_all(from[k])));
+        const wide far = wide_smaller(wide_smaller(reach(node_bounds(node, 3u - x), ox, ix),
+                                                   reach(node_bounds(node, 5u - y), oy, iy)),
+                                      reach(node_bounds(node, 7u - z), oz, iz)) *
+                         wide_all(R(1) + R(8) * UNIT_ROUNDOFF);
         const wide_mask hit = near <= wide_smaller(far, wide_all(to[k]));
         nearest = where(hit, wide_smaller(near, nearest), nearest);
         met |= (u64)wide_bits(hit) << (8u * k);
@@ -125,6 +126,7 @@ static CALLED u32 packet_tree_next(PacketWalk* walk, const World* world, wide fr
             node = ref & ~NODE_INNER;
             base = walk->count;
         }
+        NODE_OPENED(world, count_bits(its_rays));
         packet_walk_open(walk, &world->nodes[node], its_rays, from_lanes, to_lanes, base);
     }
 }
