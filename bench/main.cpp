@@ -13,6 +13,8 @@ int main(int argc, char** argv)
                "  clucida-bench error scene.clu -s 320x180 -o where.png\n"
                "  clucida-bench speed scene.clu --threads 1,all --native\n"
                "\nclucida-bench COMMAND --help tells more.");
+    bench::add_agreement(app);
+    bench::add_agreement_worker(app);
     bench::add_error(app);
     bench::add_speed(app);
     bench::add_speed_worker(app);

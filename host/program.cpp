@@ -2,6 +2,7 @@
 
 #include "host/errors.h"
 #include "host/stopwatch.h"
+#include "host/workarounds.h"
 
 #include <fmt/format.h>
 
@@ -76,7 +77,7 @@ std::string base_options(const DeviceInfo& device)
 {
     std::string options = "-cl-std=CL1.2";
     if (device.rounds_division) options += " -cl-fp32-correctly-rounded-divide-sqrt";
-    return options;
+    return options + workaround_options(device);
 }
 
 std::string variant_options(const scene::Needs& needs, Precision precision, const DeviceInfo& device)

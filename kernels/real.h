@@ -6,6 +6,11 @@
 #pragma OPENCL FP_CONTRACT OFF
 #ifdef CLU_DOUBLE
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
+#elif defined(CLU_NO_FMA)
+#include "kernels/fused.h"
+#endif
+#ifndef fma8
+#define fma8 fma
 #endif
 #else
 #include "kernels/native.h"

@@ -74,7 +74,7 @@ INLINED wide wide_of_ids(wide_id a)
 }
 INLINED wide wide_fma(wide a, wide b, wide c)
 {
-    return fma(a, b, c);
+    return fma8(a, b, c);
 }
 INLINED wide wide_fabs(wide a)
 {
