@@ -1,6 +1,7 @@
 #include "bench/commands.h"
 #include "bench/worker_process.h"
 #include "host/interrupt.h"
+#include "host/scene_source.h"
 #include "host/signatures.h"
 
 #include <fmt/format.h>

@@ -180,13 +180,5 @@ TEST(Tiling, tiles_cover_every_pixel_once)
     for (const int n : seen) ASSERT_EQ(n, 1);
 }
 
-TEST(BuildLog, the_summary_holds_the_errors_and_only_the_first_of_many)
-{
-    EXPECT_EQ(summarise_log("a.h:1:2: error: one\nnote\n"), "  a.h:1:2: error: one");
-    std::string log;
-    for (int i = 0; i < 30; ++i) log += "x: error: y\n";
-    EXPECT_NE(summarise_log(log).find("and 10 more"), std::string::npos);
-}
-
 } // namespace
 } // namespace clucida::host
