@@ -17,7 +17,8 @@
 #endif
 
 /* INLINED: small and on every ray's way. CALLED: so large that a copy of it at each of its calls is not worth what it
- * costs to compile. What compiles SPIR further decides for itself, and Oclgrind 21.10 fails on what inlining leaves. */
+ * costs to compile. What compiles SPIR further decides for itself, and Oclgrind 21.10 fails on what inlining leaves
+ * (docs/portability.md). */
 #ifdef __SPIR__
 #define INLINED static inline
 #else
