@@ -14,6 +14,8 @@ int main(int argc, char** argv)
                "  clucida-bench speed scene.clu --threads 1,all --native\n"
                "  clucida-bench profile scene.clu\n"
                "\nclucida-bench COMMAND --help tells more.");
+    bench::add_agreement(app);
+    bench::add_agreement_worker(app);
     bench::add_error(app);
     bench::add_speed(app);
     bench::add_profile(app);

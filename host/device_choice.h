@@ -23,6 +23,7 @@ struct DeviceInfo {
     bool usable = true;        ///< available, with a compiler
     bool has_double = false;
     unsigned float_lanes = 1;     ///< floats of a vector register, as the implementation has it
+    bool has_fma = true;          ///< fma is more than a routine
     bool rounds_division = false; ///< division and square root can be asked to be correctly rounded
 };
 

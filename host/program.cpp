@@ -1,11 +1,11 @@
 #include "host/program.h"
 
+#include "host/build_log.h"
 #include "host/errors.h"
 #include "host/stopwatch.h"
+#include "host/workarounds.h"
 
 #include <fmt/format.h>
-
-#include <sstream>
 
 namespace clucida::host {
 namespace {
@@ -26,10 +26,10 @@ std::string build_log(const cl::Program& program, const cl::Device& device)
     }
 }
 
-[[noreturn]] void report(const cl::Program& program, const Device& device, const std::string& options,
-                         const cl::Error& error)
+[[noreturn]] void report(const cl::Program& program, const Device& device, const std::string& source,
+                         const std::string& options, const cl::Error& error)
 {
-    const std::string log = build_log(program, device.handle);
+    const std::string log = name_files(build_log(program, device.handle), source);
     const std::string summary = summarise_log(log);
     throw Failure(fmt::format("the kernels could not be compiled for {}: {}\noptions: {}\n{}", describe(device.info),
                               cl_error_name(error.err()), options, summary.empty() ? shortened(log) : summary));
@@ -54,7 +54,7 @@ void build_source(Program& program, const cl::Context& context, const Device& de
     try {
         program.handle.build({device.handle}, program.options.c_str());
     } catch (const cl::Error& e) { // a BuildError where the compiler complained
-        report(program.handle, device, program.options, e);
+        report(program.handle, device, source, program.options, e);
     }
 }
 
@@ -76,7 +76,7 @@ std::string base_options(const DeviceInfo& device)
 {
     std::string options = "-cl-std=CL1.2";
     if (device.rounds_division) options += " -cl-fp32-correctly-rounded-divide-sqrt";
-    return options;
+    return options + workaround_options(device);
 }
 
 std::string variant_options(const scene::Needs& needs, Precision precision, const DeviceInfo& device)
@@ -105,21 +105,6 @@ Program build_program(const cl::Context& context, const Device& device, const st
     }
     program.build_seconds = watch.seconds();
     return program;
-}
-
-std::string summarise_log(const std::string& log)
-{
-    constexpr int most = 20;
-    std::istringstream lines(log);
-    std::string out, line;
-    int count = 0;
-    while (std::getline(lines, line)) {
-        if (line.find("error:") == std::string::npos) continue;
-        if (++count <= most) out += "  " + line + "\n";
-    }
-    if (count > most) out += fmt::format("  ... and {} more\n", count - most);
-    if (!out.empty()) out.pop_back();
-    return out;
 }
 
 } // namespace clucida::host

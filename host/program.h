@@ -31,7 +31,4 @@ std::string variant_options(const scene::Needs& needs, Precision precision, cons
 Program build_program(const cl::Context& context, const Device& device, const std::string& source,
                       const std::string& options, KernelCache cache);
 
-/// The lines of a build log that tell of errors, the first few of them.
-std::string summarise_log(const std::string& log);
-
 } // namespace clucida::host

@@ -18,6 +18,12 @@ static inline float as_float(u32 bits)
     memcpy(&value, &bits, sizeof value);
     return value;
 }
+static inline u32 as_uint(float value)
+{
+    u32 bits;
+    memcpy(&bits, &value, sizeof bits);
+    return bits;
+}
 
 #endif
 #endif

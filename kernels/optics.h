@@ -4,6 +4,7 @@
 
 #include "kernels/color.h"
 #include "kernels/directions.h"
+#include "kernels/functions.h"
 #include "kernels/world.h"
 
 #if defined(CLU_AS_GUN) || defined(CLU_AS_RAYT)
@@ -61,7 +62,8 @@ INLINED real diffuse(u32 law, real cosine, real distance)
     if (law == LAW_LAMBERT) return cosine;
 #endif
     /* The paper's (2/pi) acos(1 - a), without its cancellation at the terminator. */
-    return R(4) / PI_REAL * asin(sqrt(R(0.5f) * fmin(cosine, R(1))));
+    if (cosine > R(0.5f)) return R(1) - R(2) / PI_REAL * arc_sine(R(1) - fmin(cosine, R(1)));
+    return R(4) / PI_REAL * arc_sine(sqrt(R(0.5f) * cosine));
 }
 #endif
 

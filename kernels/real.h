@@ -6,13 +6,19 @@
 #pragma OPENCL FP_CONTRACT OFF
 #ifdef CLU_DOUBLE
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
+#elif defined(CLU_NO_FMA)
+#include "kernels/fused.h"
+#endif
+#ifndef fma8
+#define fma8 fma
 #endif
 #else
 #include "kernels/native.h"
 #endif
 
 /* INLINED: small and on every ray's way. CALLED: so large that a copy of it at each of its calls is not worth what it
- * costs to compile. What compiles SPIR further decides for itself, and Oclgrind 21.10 fails on what inlining leaves. */
+ * costs to compile. What compiles SPIR further decides for itself, and Oclgrind 21.10 fails on what inlining leaves
+ * (docs/portability.md). */
 #ifdef __SPIR__
 #define INLINED static inline
 #else

@@ -83,7 +83,7 @@ INLINED rgb transmittance(const World* world, u32 medium, real distance)
 #ifdef CLU_EXTINCTION
     if (medium != VACUUM) {
         const rgb e = load_rgb(world->optics[world->objects[medium].optics].extinction);
-        return make_rgb(exp(-e.r * distance), exp(-e.g * distance), exp(-e.b * distance));
+        return make_rgb(decay(e.r * distance), decay(e.g * distance), decay(e.b * distance));
     }
 #else
     (void)world;

@@ -2,6 +2,7 @@
 #ifndef CLUCIDA_WIDE_H
 #define CLUCIDA_WIDE_H
 
+#include "kernels/functions.h"
 #include "kernels/vec.h"
 
 #define LANES 8u
@@ -74,7 +75,7 @@ INLINED wide wide_of_ids(wide_id a)
 }
 INLINED wide wide_fma(wide a, wide b, wide c)
 {
-    return fma(a, b, c);
+    return fma8(a, b, c);
 }
 INLINED wide wide_fabs(wide a)
 {
@@ -88,10 +89,18 @@ INLINED wide wide_copysign(wide a, wide b)
 {
     return copysign(a, b);
 }
+/* 2^n where n is a wide's last bits (kernels/functions.h); of doubles e^a. */
+#ifdef CLU_DOUBLE
 INLINED wide wide_exp(wide a)
 {
     return exp(a);
 }
+#else
+INLINED wide wide_power(wide shifted)
+{
+    return as_float8((as_uint8(shifted) << 23) + 0x3f800000u);
+}
+#endif
 /* b where the mask is set, else a. */
 INLINED wide wide_select(wide a, wide b, wide_mask mask)
 {
@@ -201,11 +210,19 @@ INLINED wide wide_copysign(wide a, wide b)
     for (u32 i = 0; i < LANES; i++) a[i] = copysign(a[i], b[i]);
     return a;
 }
+#ifdef CLU_DOUBLE
 INLINED wide wide_exp(wide a)
 {
     for (u32 i = 0; i < LANES; i++) a[i] = exp(a[i]);
     return a;
 }
+#else
+INLINED wide wide_power(wide shifted)
+{
+    for (u32 i = 0; i < LANES; i++) shifted[i] = as_float((as_uint(shifted[i]) << 23) + 0x3f800000u);
+    return shifted;
+}
+#endif
 INLINED wide wide_select(wide a, wide b, wide_mask mask)
 {
     return (wide)((mask & (wide_mask)b) | (~mask & (wide_mask)a));
@@ -247,6 +264,18 @@ INLINED wide wide_larger(wide a, wide b)
 INLINED real wide_smallest(wide a)
 {
     return -wide_largest(-a);
+}
+/* decay (kernels/functions.h) in each lane, with the same roundings. */
+INLINED wide wide_decay(wide x)
+{
+#ifdef CLU_DOUBLE
+    return wide_exp(-x);
+#else
+    const wide shifted = wide_fma(x, wide_all(-LOG2_E), wide_all(ROUNDER)), n = shifted - wide_all(ROUNDER);
+    const wide r = wide_fma(n, wide_all(-LN2_LOW), wide_fma(n, wide_all(-LN2_HIGH), -x));
+    const wide value = EXP_POLYNOMIAL(wide_fma, wide_all, r) * wide_power(shifted);
+    return wide_select(value, wide_all(0.0f), x > wide_all(MOST_DECAY));
+#endif
 }
 INLINED int any_lane(wide_mask m)
 {

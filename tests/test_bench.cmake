@@ -32,3 +32,8 @@ set_tests_properties(test_corpus PROPERTIES TIMEOUT 300)
 add_test(NAME test_memory COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/test_memory.py
          $<TARGET_FILE:clucida> ${CMAKE_SOURCE_DIR}/bench)
 set_tests_properties(test_memory PROPERTIES TIMEOUT 300)
+
+clucida_test(test_agreement test_agreement.cpp LIBS clucida_speed)
+add_test(NAME test_agreement_cli
+         COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/test_agreement.py $<TARGET_FILE:clucida-bench>)
+set_tests_properties(test_agreement_cli PROPERTIES TIMEOUT 600)

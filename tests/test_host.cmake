@@ -1,5 +1,6 @@
 # The host's tests: what needs no device, what needs one, and the program as its users meet it.
 clucida_test(test_host_kernel_source test_host_kernel_source.cpp LIBS clucida_host)
+clucida_test(test_build_log test_build_log.cpp LIBS clucida_host)
 clucida_test(test_host_choice test_host_choice.cpp LIBS clucida_host)
 clucida_test(test_host_files test_host_files.cpp LIBS clucida_host)
 clucida_test(test_host_frames test_host_frames.cpp LIBS clucida_host)

@@ -179,13 +179,5 @@ TEST(Tiling, shapes_are_rounded_up_to_whole_grains)
     EXPECT_EQ(common_multiple({16, 4}, {32, 6}), (Shape{32, 12}));
 }
 
-TEST(BuildLog, the_summary_holds_the_errors_and_only_the_first_of_many)
-{
-    EXPECT_EQ(summarise_log("a.h:1:2: error: one\nnote\n"), "  a.h:1:2: error: one");
-    std::string log;
-    for (int i = 0; i < 30; ++i) log += "x: error: y\n";
-    EXPECT_NE(summarise_log(log).find("and 10 more"), std::string::npos);
-}
-
 } // namespace
 } // namespace clucida::host

@@ -45,6 +45,14 @@ TEST(Device, exact_arithmetic_survives_the_compiler)
     for (const Device& device : list_devices()) EXPECT_EQ(self_test(device), "") << describe(device.info);
 }
 
+TEST(Device, exact_arithmetic_needs_no_fma_of_the_device)
+{
+    for (Device device : list_devices()) {
+        device.info.has_fma = false;
+        EXPECT_EQ(self_test(device), "") << describe(device.info);
+    }
+}
+
 TEST(Device, a_kernel_that_does_not_compile_names_the_true_file_and_line)
 {
     const Device device = find_device(device_selector(""));

@@ -418,9 +418,9 @@ INLINED void shade_packet(World* world, PacketStacks* stacks, const Packet* pack
     const wide_rgb e = load_colors(h.extinction[0]);
     const wide zero = wide_all(R(0));
     if (any_lane(met & ((e.r != zero) | (e.g != zero) | (e.b != zero)))) {
-        weight.r *= wide_exp(-e.r * c.t);
-        weight.g *= wide_exp(-e.g * c.t);
-        weight.b *= wide_exp(-e.b * c.t);
+        weight.r *= wide_decay(e.r * c.t);
+        weight.g *= wide_decay(e.g * c.t);
+        weight.b *= wide_decay(e.b * c.t);
     }
 #endif
 #ifdef CLU_TRANSPARENT

@@ -10,6 +10,7 @@
 #ifndef CLUCIDA_TORUS_H
 #define CLUCIDA_TORUS_H
 
+#include "kernels/functions.h"
 #include "kernels/span.h"
 
 /* A line as the torus sees it. Its base is the point nearest to the axis, within reach of the torus, so that rho and
@@ -72,7 +73,7 @@ static inline int torus_line(__global const LayoutTorus* torus, const Line* line
         }
         if (sqrt(least) * l->dd < l->major * a) {
             const real rho =
-                l->major * cbrt(a * (least / square(l->major)) / l->dd); /* a pure number's, at any scale */
+                l->major * cube_root(a * (least / square(l->major)) / l->dd); /* a pure number's, at any scale */
             l->width = sqrt(fmax(rho * rho - least, R(0)) / a);
         }
     }

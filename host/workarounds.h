@@ -1,0 +1,14 @@
+/// What implementations of OpenCL lack or do wrongly, and what is done about it: all that the host does lies here, told
+/// by what a device says of itself, never by its name. docs/portability.md lists every fault with its report.
+#pragma once
+
+#include "host/device_choice.h"
+
+#include <string>
+
+namespace clucida::host {
+
+/// Options of the kernels' compiler that the device needs besides those of any other, each with a space before it.
+std::string workaround_options(const DeviceInfo& device);
+
+} // namespace clucida::host

@@ -1,0 +1,68 @@
+"""clucida-bench agreement as its users meet it. test_agreement.py PATH-OF-CLUCIDA-BENCH [TEST ...]"""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = os.path.abspath(sys.argv.pop(1))
+
+SCENE = """clucida 1
+observer { eye [0, -6, 2]; look [0, 0, 0.8]; fov 45 }
+sky gradient { low 0.2; middle 0.8; high [0.2, 0.4, 1] }
+light { point [5, -5, 8] }
+optics glass { reflection 0.1; refraction 0.9; index 1.5 }
+object ball { solid sphere([0, 0, 1], 1); optics glass }
+object ground { solid plane([0, 0, 0], [0, 0, 1]); optics { absorption 0.5 } }
+"""
+
+
+class Agreement(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.scene = os.path.join(self.folder.name, "glass.clu")
+        with open(self.scene, "w") as file:
+            file.write(SCENE)
+        self.device = os.environ.get("CLUCIDA_DEVICE", "0:0")
+
+    def agree(self, *arguments, code=0):
+        done = subprocess.run(
+            [PROGRAM, "agreement", self.scene, "-q", "-s", "48x27", *arguments],
+            capture_output=True, text=True, check=False,
+        )  # fmt: skip
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done
+
+    def test_a_device_agrees_with_itself_in_a_process_of_its_own(self):
+        other = f"CLUCIDA_ANYTHING=1 {self.device}"
+        done = self.agree(
+            "--device", self.device, "--device", other, "--kernel", "pixels,packets", "--json", "-",
+            "--fail-above-flips", "0", "--fail-above-steps", "0",
+        )  # fmt: skip
+        rows = json.loads(done.stdout)["benchmarks"]
+        self.assertEqual([(r["place"], r["kernel"]) for r in rows],
+                         [(self.device, "pixels"), (other, "pixels"), (self.device, "packets"), (other, "packets")])  # fmt: skip
+        for row in rows:
+            self.assertEqual(row["pixels"], 48 * 27)
+            self.assertEqual(row["equal_share"], 1)
+            for key in ("most_ulps", "most_steps", "pixels_over_a_step", "flips", "differ_on_same_path"):
+                self.assertEqual(row[key], 0, key)
+            self.assertEqual(row["faults"], "")
+        self.assertIn("100.0000 %", done.stderr)
+
+    def test_a_device_that_is_not_there_is_a_row_and_fails_the_gate_only(self):
+        devices = ("--device", self.device, "--device", "OCL_ICD_VENDORS=/nowhere cpu")
+        self.assertIn("no OpenCL device is installed", self.agree(*devices).stdout)
+        self.assertIn("1 of 2 pictures", self.agree(*devices, "--fail-above-flips", "0", code=1).stderr)
+
+    def test_what_is_not_known_is_refused(self):
+        self.agree("--device", "A=1", code=2)
+        self.agree("--device", self.device, "--kernel", "circles", code=2)
+        self.agree(code=2)
+
+
+if __name__ == "__main__":
+    unittest.main()
