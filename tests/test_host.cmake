@@ -3,6 +3,7 @@ clucida_test(test_host_kernel_source test_host_kernel_source.cpp LIBS clucida_ho
 clucida_test(test_host_choice test_host_choice.cpp LIBS clucida_host)
 clucida_test(test_host_files test_host_files.cpp LIBS clucida_host)
 clucida_test(test_host_frames test_host_frames.cpp LIBS clucida_host)
+clucida_test(test_quality_choice test_quality_choice.cpp LIBS clucida_host)
 clucida_test(test_picture test_picture.cpp LIBS clucida_host)
 clucida_test(test_flip test_flip.cpp LIBS clucida_host)
 clucida_test(test_host_device test_host_device.cpp LIBS clucida_host)
