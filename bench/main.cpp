@@ -15,6 +15,7 @@ int main(int argc, char** argv)
                "\nclucida-bench COMMAND --help tells more.");
     bench::add_error(app);
     bench::add_speed(app);
+    bench::add_compare(app);
     bench::add_speed_worker(app);
     return host::run_guarded(app, argc, argv);
 }
