@@ -7,6 +7,7 @@ namespace clucida::bench {
 
 void add_compare(CLI::App& app);
 void add_error(CLI::App& app);
+void add_report(CLI::App& app);
 void add_speed(CLI::App& app);
 void add_speed_worker(CLI::App& app);
 

@@ -69,8 +69,8 @@ double times(double seconds, double first, const SpeedReport&)
 const ScalingAxis scaling_axes[] = {
     {"threads",
      "Speed with threads",
-     {"threads", Scale::linear},
-     {"speed over that with the fewest threads", Scale::linear},
+     {"threads", Scale::logarithmic},
+     {"speed over that with the fewest threads", Scale::logarithmic},
      [](const SpeedReport& r) { return static_cast<double>(r.threads); },
      [](SpeedContender& c) { c.threads = 0; },
      [](double seconds, double first, const SpeedReport&) { return first / seconds; }},

@@ -239,5 +239,36 @@ class MaxError(Case):
             self.render("--max-error", wrong, code=2)
 
 
+class Report(Case):
+    def test_it_holds_all_there_is(self):
+        other = self.write("other.clu", SCENE.replace("1.5", "1.3"))
+        self.bench("report", "--quick", "-q", "-o", "out", "--device", "cpu", self.scene, other)
+        report = json.loads(self.read(os.path.join("out", "report.json")))
+        self.assertGreater(len(report["context"]["devices"]), 0)
+        names = [b["name"] for b in report["benchmarks"]]
+        self.assertEqual(len(set(names)), len(names))
+        parts = {name.split("/")[0] for name in names}
+        self.assertLessEqual({"devices", "settings", "sizes", "rays", "objects"}, parts)
+        failed = [b["error_message"] for b in report["benchmarks"] if "error_message" in b]
+        self.assertEqual(failed, [])
+        for b in report["benchmarks"]:
+            self.assertTrue("rmse" in b or "settings_rmse" in b, b["name"])
+        ElementTree.fromstring(self.read(os.path.join("out", "report.html")))
+        text = self.read(os.path.join("out", "report.md"))
+        plots = re.findall(r"\]\((.*\.svg)\)", text)
+        self.assertIn("devices.svg", plots)
+        self.assertIn("with-objects.svg", plots)
+        for plot in plots:
+            ElementTree.parse(self.path("out", plot))
+        self.assertEqual(len(glob.glob(self.path("cache", "clucida", "calibration", "*.json"))), 1)
+        again = self.bench("compare", os.path.join("out", "report.json"), os.path.join("out", "report.json")).stdout
+        self.assertIn("0 became significantly faster and 0 slower", again)
+
+    def test_scenes_are_found_or_missed(self):
+        self.assertIn("no scene is given", self.bench("report", "--quick", code=2).stderr)
+        self.write("broken.clu", "clucida 1\nobject {")
+        self.assertIn("broken.clu:2:", self.bench("report", "--quick", "broken.clu", code=2).stderr)
+
+
 if __name__ == "__main__":
     unittest.main(verbosity=2)
