@@ -1,6 +1,6 @@
 #include "bench/agreement_output.h"
 
-#include "bench/error_output.h"
+#include "bench/precision_name.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 #include "bench/commands.h"
 #include "bench/error_output.h"
+#include "bench/precision_name.h"
 #include "bench/variants.h"
 #include "host/arguments.h"
 #include "host/commands.h"

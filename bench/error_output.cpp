@@ -1,5 +1,7 @@
 #include "bench/error_output.h"
 
+#include "bench/precision_name.h"
+
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -141,11 +143,6 @@ nlohmann::ordered_json report_json(const NamedError& of, const ErrorReport& r, c
 }
 
 } // namespace
-
-std::string precision_name(host::Precision precision)
-{
-    return precision == host::Precision::twofold ? "double" : "float";
-}
 
 void print_error(std::FILE* to, const NamedError& result, const ErrorSettings& settings)
 {

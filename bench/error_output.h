@@ -15,8 +15,6 @@ struct NamedError {
     SceneError error;
 };
 
-std::string precision_name(host::Precision precision);
-
 void print_error(std::FILE* to, const NamedError& result, const ErrorSettings& settings);
 
 /// Two tables over all scenes: every contender's error, and what a scene's settings cost.

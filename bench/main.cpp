@@ -13,12 +13,15 @@ int main(int argc, char** argv)
                "  clucida-bench error scene.clu -s 320x180 -o where.png\n"
                "  clucida-bench speed scene.clu --threads 1,all --native\n"
                "  clucida-bench profile scene.clu\n"
+               "  clucida-bench report -o figures\n"
                "\nclucida-bench COMMAND --help tells more.");
     bench::add_agreement(app);
     bench::add_agreement_worker(app);
     bench::add_error(app);
     bench::add_speed(app);
     bench::add_profile(app);
+    bench::add_compare(app);
+    bench::add_report(app);
     bench::add_speed_worker(app);
     return host::run_guarded(app, argc, argv);
 }

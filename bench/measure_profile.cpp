@@ -86,9 +86,8 @@ SpeedTask task_of(const Subject& s)
 {
     SpeedTask out;
     out.scene = s.options;
-    out.picture = s.settings.picture;
-    out.contender = {fmt::format("{}:{}", s.device.info.platform, s.device.info.device), s.settings.precision, 0,
-                     s.render.kernel};
+    out.contender = {host::place(s.device.info), s.settings.precision, 0, s.render.kernel};
+    out.contender.view.picture = s.settings.picture;
     out.native.compiler = s.settings.compiler;
     return out;
 }
@@ -125,7 +124,7 @@ void execute(const Subject& s, const std::filesystem::path& folder, SceneProfile
 {
     attempt(out, [&] {
         SpeedTask task = task_of(s);
-        task.picture = s.settings.executed_picture;
+        task.contender.view.picture = s.settings.executed_picture;
         std::filesystem::create_directories(folder / "executed");
         out.executed = count_executed(task, folder / "executed");
         out.peaks = {measure_peak(s.device, s.settings.precision), measure_clock()};

@@ -51,7 +51,7 @@ ExecutedPicture count_executed(SpeedTask task, const std::filesystem::path& fold
     const nlohmann::json turn = {{"do", "turn"}, {"least_seconds", least_seconds}};
 
     ExecutedPicture out;
-    out.picture = task.picture;
+    out.picture = task.contender.view.picture;
     {
         WorkerProcess worker(task.scene.file, "speed-worker", {});
         out.what = worker.ask(open).at("what");

@@ -1,5 +1,6 @@
 #include "bench/error_output.h"
 #include "bench/median.h"
+#include "bench/precision_name.h"
 #include "bench/profile_output.h"
 #include "bench/spread.h"
 

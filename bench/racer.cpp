@@ -1,5 +1,6 @@
 #include "bench/racer.h"
 
+#include "bench/compiled_views.h"
 #include "bench/native_library.h"
 #include "host/errors.h"
 #include "host/interrupt.h"
@@ -8,29 +9,44 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <memory>
 #include <thread>
 
 namespace clucida::bench {
 namespace {
 
-Racer opencl_racer(const SpeedTask& task, scene::Compiled compiled)
+/// Renderers by what their programs are compiled for, so that views in turn do not compile in turn.
+struct Fleet {
+    host::Device device;
+    std::map<std::string, host::Renderer> renderers = {};
+
+    host::Renderer& of(const scene::Needs& needs)
+    {
+        const auto [at, added] = renderers.try_emplace(scene::build_options(needs));
+        if (added) at->second = host::make_renderer(device, host::Profiling::yes);
+        return at->second;
+    }
+};
+
+Racer opencl_racer(const SpeedTask& task, std::shared_ptr<CompiledViews> views)
 {
-    auto renderer = std::make_shared<host::Renderer>(host::make_renderer(host::find_device(task.contender.device)));
-    const host::DeviceInfo& device = renderer->device.info;
+    auto fleet = std::make_shared<Fleet>(Fleet{host::find_device(task.contender.device)});
+    const host::DeviceInfo& device = fleet->device.info;
     Racer out;
     out.what = host::describe(device);
-    out.options = scene::build_options(compiled.needs);
     out.threads = device.kind == host::DeviceKind::cpu ? device.compute_units : 0;
     host::RenderSettings settings;
-    settings.samples = task.samples;
     settings.precision = task.contender.precision;
     settings.kernel = task.contender.kernel;
-    out.render = [renderer, settings, compiled = std::move(compiled)](host::Shape part) mutable {
-        settings.picture = part;
+    settings.group = task.contender.group;
+    out.render = [fleet, settings, views](const SpeedView& view, std::optional<host::Shape> part) mutable {
+        const scene::Compiled& compiled = views->at(view);
+        settings.picture = part.value_or(view.picture);
+        settings.samples = view.samples;
         settings.tile = part; // one launch, and no time spent on choosing
-        host::Frame frame = host::render_frame(*renderer, compiled, settings, {{}, host::interrupted});
-        compiled.needs = frame.needs;
+        host::Frame frame = host::render_frame(fleet->of(compiled.needs), compiled, settings, {{}, host::interrupted});
+        views->keep(frame.needs);
         return frame;
     };
     return out;
@@ -65,39 +81,36 @@ void trace_natively(const NativeLibrary& library, const scene::Compiled& compile
 }
 
 /// As render_frame() does it.
-Racer native_racer(const SpeedTask& task, scene::Compiled compiled)
+Racer native_racer(const SpeedTask& task, std::shared_ptr<CompiledViews> views)
 {
-    struct State {
-        scene::Compiled compiled;
-        NativeLibrary library;
-    };
-    auto state = std::make_shared<State>(State{std::move(compiled), {}});
     const unsigned all = std::max(std::thread::hardware_concurrency(), 1U);
     const unsigned threads = task.contender.threads ? task.contender.threads : all;
+    auto libraries = std::make_shared<std::map<std::string, NativeLibrary>>();
     Racer out;
     out.what = describe(task.native);
-    out.options = scene::build_options(state->compiled.needs);
     out.threads = threads;
-    out.render = [state, threads, task](host::Shape part) {
+    out.render = [views, libraries, threads, task](const SpeedView& view, std::optional<host::Shape> part) {
         host::Frame frame;
         frame.kernel = task.contender.kernel.value_or(host::KernelShape::packets);
-        frame.picture = host::make_picture(part.width, part.height);
+        const host::Shape shape = part.value_or(view.picture);
+        frame.picture = host::make_picture(shape.width, shape.height);
+        scene::Compiled compiled = views->at(view);
         for (;;) {
-            if (!state->library.render) {
-                state->library =
-                    native_library(task.native, state->compiled.needs, task.contender.precision, frame.kernel);
-                frame.timings.build += state->library.seconds;
+            NativeLibrary& library = (*libraries)[scene::build_options(compiled.needs)];
+            if (!library.render) {
+                library = native_library(task.native, compiled.needs, task.contender.precision, frame.kernel);
+                frame.timings.build += library.seconds;
             }
             const host::Stopwatch watch;
             const host::CpuStopwatch cpu;
-            trace_natively(state->library, state->compiled, task.samples, threads, frame);
+            trace_natively(library, compiled, view.samples, threads, frame);
             frame.timings.trace += watch.seconds();
             frame.timings.trace_cpu += cpu.seconds();
-            if (!host::enlarge(state->compiled.needs, frame.statistics)) break;
+            if (!host::enlarge(compiled.needs, frame.statistics)) break;
             ++frame.retries;
-            state->library = {};
         }
-        frame.needs = state->compiled.needs;
+        frame.needs = compiled.needs;
+        views->keep(frame.needs);
         return frame;
     };
     return out;
@@ -107,12 +120,12 @@ Racer native_racer(const SpeedTask& task, scene::Compiled compiled)
 
 Racer make_racer(const SpeedTask& task)
 {
-    const host::SceneSource source = host::load_scene(task.scene);
-    scene::Compiled compiled = host::compile_scene(source, view_of(task));
-    compiled.needs.interior = std::max(compiled.needs.interior, task.least_interior);
-    compiled.needs.stack = std::max(compiled.needs.stack, task.least_stack);
-    return is_native(task.contender) ? native_racer(task, std::move(compiled))
-                                     : opencl_racer(task, std::move(compiled));
+    const auto views = std::make_shared<CompiledViews>(task);
+    Racer out = is_native(task.contender) ? native_racer(task, views) : opencl_racer(task, views);
+    const scene::Buffers& buffers = views->at(task.contender.view).buffers;
+    out.objects = buffers.bytes[BUFFER_OBJECTS].size() / sizeof(LayoutObject);
+    for (const scene::Bytes& bytes : buffers.bytes) out.scene_bytes += bytes.size();
+    return out;
 }
 
 } // namespace clucida::bench

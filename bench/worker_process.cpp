@@ -113,8 +113,16 @@ void WorkerProcess::tell_death()
     throw host::Failure(fmt::format("{}: the process that rendered it ended: {}", name_, host::describe_end(stop())));
 }
 
-std::string WorkerProcess::read_line()
+void WorkerProcess::give_up(double seconds)
 {
+    ::kill(process_, SIGKILL);
+    stop();
+    throw host::Failure(fmt::format("{}: the process that rendered it had no answer within {:g} s", name_, seconds));
+}
+
+std::string WorkerProcess::read_line(double most_seconds)
+{
+    const host::Stopwatch watch;
     for (;;) {
         if (const auto end = received_.find('\n'); end != std::string::npos) {
             std::string line = received_.substr(0, end);
@@ -124,6 +132,7 @@ std::string WorkerProcess::read_line()
         pollfd answers{from_, POLLIN, 0};
         const int ready = ::poll(&answers, 1, patience);
         if (host::interrupted()) throw host::Interrupted();
+        if (ready <= 0 && most_seconds > 0 && watch.seconds() > most_seconds) give_up(most_seconds);
         if (ready <= 0) continue;
         std::array<char, 1 << 16> piece;
         const ssize_t n = ::read(from_, piece.data(), piece.size());
@@ -134,7 +143,7 @@ std::string WorkerProcess::read_line()
     }
 }
 
-nlohmann::json WorkerProcess::ask(const nlohmann::json& request)
+nlohmann::json WorkerProcess::ask(const nlohmann::json& request, double most_seconds)
 {
     if (process_ < 0) throw host::Failure(name_ + ": the process that rendered it has ended");
     try {
@@ -142,7 +151,7 @@ nlohmann::json WorkerProcess::ask(const nlohmann::json& request)
     } catch (const host::Failure&) {
         tell_death();
     }
-    nlohmann::json answer = nlohmann::json::parse(read_line());
+    nlohmann::json answer = nlohmann::json::parse(read_line(most_seconds));
     const auto error = answer.find("error");
     if (error == answer.end()) return answer;
     const std::string what = fmt::format("{}: {}", name_, error->get<std::string>());

@@ -16,14 +16,15 @@ public:
     WorkerProcess(const WorkerProcess&) = delete;
     WorkerProcess& operator=(const WorkerProcess&) = delete;
 
-    /// Waits for the answer.
+    /// Waits for the answer; for so many seconds at most, unless 0, after which the worker is ended.
     /// @throws what the worker says went wrong (host::Failure, host::UsageError, host::Interrupted), host::Failure if
-    /// it died, host::Interrupted
-    nlohmann::json ask(const nlohmann::json& request);
+    /// it died or had no answer in time, host::Interrupted
+    nlohmann::json ask(const nlohmann::json& request, double most_seconds = 0);
 
 private:
-    std::string read_line();
+    std::string read_line(double most_seconds);
     int stop();
+    [[noreturn]] void give_up(double seconds);
     [[noreturn]] void tell_death();
 
     std::string name_, received_;

@@ -3,6 +3,7 @@
 #include "host/errors.h"
 #include "host/fingerprint.h"
 #include "host/interrupt.h"
+#include "host/max_error.h"
 #include "host/progress.h"
 #include "host/render_frames.h"
 #include "host/render_options.h"
@@ -30,6 +31,7 @@ void report(const RenderOptions& o, const Output& output, const Frame& frame, co
     if (!o.json) return;
     nlohmann::ordered_json j = {
         {"scene", o.scene.file}, {"output", output.file}, {"samples", o.samples}, {"precision", o.precision}};
+    if (o.max_error) j["max_error"] = error_choice_json(o);
     j.update(frame_json(frame, stages));
     auto& stream = output.file == "-" ? std::cerr : std::cout;
     stream << j.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
@@ -68,7 +70,7 @@ void render_still(const RenderOptions& o, SceneSource source, const Output& outp
     encoding.metadata.emplace_back("Device", describe(devices));
     encoding.metadata.emplace_back("Frame", fmt::format("{}", o.scene.moment.frame));
     if (!fingerprint.empty()) encoding.metadata.emplace_back(fingerprint_keyword, fingerprint);
-    stages.devices = watch.lap();
+    stages.devices += watch.lap();
 
     std::vector<Renderer> team = make_renderers(devices);
     stages.context = watch.lap();
@@ -103,6 +105,8 @@ void run(RenderOptions o)
     Stages stages;
     SceneSource source = load_scene(o.scene);
     stages.read = watch.lap();
+    choose_by_error(o, source.hash);
+    if (o.max_error) stages.devices = watch.lap();
     if (still && !is_sequence(targets, source.scene.sequence, o))
         return render_still(o, std::move(source), *still, total, stages);
     render_frames(o, std::move(source), targets);
@@ -119,6 +123,7 @@ void add_render(CLI::App& app)
     command->footer("Examples:\n"
                     "  clucida render scene.clu\n"
                     "  clucida render scene.clu -o out.hdr -s 1920x1080 --samples 64\n"
+                    "  clucida render scene.clu -o out.png --max-error 0.01\n"
                     "  clucida render scene.clu -o - --format-out ppm | ffmpeg -i - out.webp\n"
                     "  clucida render scene.clu -o frames/%04d.png -o film.mp4 --skip-existing\n"
                     "  clucida render scene.clu -o frames/####.png --frames 1-100 --shard 2/4\n"

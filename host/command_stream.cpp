@@ -2,6 +2,7 @@
 #include "host/commands.h"
 #include "host/errors.h"
 #include "host/interrupt.h"
+#include "host/max_error.h"
 #include "host/opencl.h"
 #include "host/render_options.h"
 #include "host/render_output.h"
@@ -225,13 +226,14 @@ private:
     Input input_;
 };
 
-void run(const StreamOptions& o)
+void run(StreamOptions o)
 {
     if (::isatty(STDOUT_FILENO))
         throw UsageError(
             "pictures are not written to a terminal; `clucida stream` is for other programs, see docs/python.md");
     const RenderSettings settings = settings_of(o.render); // what is wrong with the options is said before any scene
     require_encodable(settings.picture.width, settings.picture.height, FileFormat::png, {});
+    choose_by_error(o.render, ""); // once: a scene of a stream is not known before
     Stream(o).run();
 }
 

@@ -3,6 +3,7 @@
 #include "host/atomic_file.h"
 #include "host/errors.h"
 #include "host/interrupt.h"
+#include "host/max_error.h"
 #include "host/progress.h"
 #include "host/render_output.h"
 
@@ -140,20 +141,21 @@ nlohmann::ordered_json frame_json(const FrameReport& report)
 void print_json(const RenderOptions& o, const SequencePlan& plan, const SequenceReport& report,
                 nlohmann::ordered_json frames, bool to_output)
 {
-    const nlohmann::ordered_json j = {{"scene", o.scene.file},
-                                      {"samples", o.samples},
-                                      {"precision", o.precision},
-                                      {"frames", std::move(frames)},
-                                      {"rendered", report.rendered},
-                                      {"kept", plan.kept},
-                                      {"builds", report.builds},
-                                      {"frames_per_second", static_cast<double>(report.rendered) / report.seconds},
-                                      {"seconds",
-                                       {{"total", report.seconds},
-                                        {"build", report.timings.build},
-                                        {"first_launch", report.timings.first_enqueue},
-                                        {"upload", report.timings.upload},
-                                        {"trace", report.timings.trace}}}};
+    nlohmann::ordered_json j = {{"scene", o.scene.file},
+                                {"samples", o.samples},
+                                {"precision", o.precision},
+                                {"frames", std::move(frames)},
+                                {"rendered", report.rendered},
+                                {"kept", plan.kept},
+                                {"builds", report.builds},
+                                {"frames_per_second", static_cast<double>(report.rendered) / report.seconds},
+                                {"seconds",
+                                 {{"total", report.seconds},
+                                  {"build", report.timings.build},
+                                  {"first_launch", report.timings.first_enqueue},
+                                  {"upload", report.timings.upload},
+                                  {"trace", report.timings.trace}}}};
+    if (o.max_error) j["max_error"] = error_choice_json(o);
     (to_output ? std::cerr : std::cout) << j.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
 }
 

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 namespace clucida::host {
 namespace {
 
@@ -87,7 +89,8 @@ void add_tracing_options(CLI::App& command, RenderOptions& o)
     command.add_option("--samples", o.samples, "of each pixel")
         ->check(number_within(1, 1U << 20))
         ->option_text("N")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->each([&o](const std::string&) { o.samples_given = true; });
     command.add_option("--max-hops", o.max_hops, "surfaces that a ray may meet; else the scene's")
         ->check(number_within(1, 1000000))
         ->option_text("N");
@@ -96,7 +99,14 @@ void add_tracing_options(CLI::App& command, RenderOptions& o)
         ->option_text("X");
     command.add_option("--precision", o.precision, "float or double")
         ->check(CLI::IsMember({"float", "double"}))
-        ->option_text("NAME");
+        ->option_text("NAME")
+        ->each([&o](const std::string&) { o.precision_given = true; });
+    command
+        .add_option("--max-error", o.max_error,
+                    "the fastest precision, samples, hops and cutoff that clucida-bench has found on this device to "
+                    "keep the RMSE in linear light below it; what is given stays as it is given")
+        ->check(number_within(std::numeric_limits<double>::min(), 1e30))
+        ->option_text("E");
     command
         .add_option("--kernel", o.kernel,
                     "pixels (a work-item each, for GPUs), packets (of eight rays, for CPUs), or auto: as the device is")

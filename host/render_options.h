@@ -2,6 +2,7 @@
 #pragma once
 
 #include "host/picture_file.h"
+#include "host/quality_choice.h"
 #include "host/renderer.h"
 #include "host/scene_source.h"
 #include "host/stereo.h"
@@ -23,6 +24,9 @@ struct RenderOptions {
     unsigned samples = 1, depth = 8, quality = 90, in_flight = 3;
     std::optional<unsigned> max_hops;
     std::optional<double> cutoff, eye_separation, screen_distance;
+    std::optional<double> max_error = {};                ///< RMSE, linear light
+    bool samples_given = false, precision_given = false; ///< by the command line, and so not to be chosen
+    std::optional<QualityChoice> error_choice = {};      ///< what max_error led to; none: without calibration
     bool quiet = false, json = false, overwrite = false, skip_existing = false, no_kernel_cache = false,
          dry_run = false;
 };

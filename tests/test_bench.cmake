@@ -11,7 +11,11 @@ clucida_oracle_test(test_oracle_paths test_oracle_paths.cpp LIBS clucida_oracle 
 clucida_oracle_test(test_oracle_kernels test_oracle_kernels.cpp LIBS clucida_oracle native_scene)
 clucida_test(test_divergence test_divergence.cpp LIBS clucida_error)
 clucida_test(test_measure_error test_measure_error.cpp LIBS clucida_error)
+clucida_test(test_plot test_plot.cpp LIBS clucida_speed)
+clucida_test(test_rank_test test_rank_test.cpp LIBS clucida_speed)
 clucida_test(test_speed test_speed.cpp LIBS clucida_speed)
+clucida_test(test_speed_axes test_speed_axes.cpp LIBS clucida_speed)
+clucida_test(test_speed_rank test_speed_rank.cpp LIBS clucida_speed)
 clucida_oracle_test(test_steps test_steps.cpp LIBS clucida_error)
 clucida_test(test_instruction_mix test_instruction_mix.cpp LIBS clucida_profile)
 clucida_test(test_callgrind test_callgrind.cpp LIBS clucida_profile)
@@ -24,6 +28,10 @@ set_tests_properties(test_bench_cli PROPERTIES TIMEOUT 600)
 add_test(NAME test_profile_cli
          COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/test_profile_cli.py $<TARGET_FILE:clucida-bench>)
 set_tests_properties(test_profile_cli PROPERTIES TIMEOUT 1200)
+add_test(NAME test_speed_cli
+         COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/test_speed_cli.py $<TARGET_FILE:clucida-bench>
+                 $<TARGET_FILE:clucida>)
+set_tests_properties(test_speed_cli PROPERTIES TIMEOUT 900)
 
 add_test(NAME test_corpus COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/test_corpus.py
          $<TARGET_FILE:clucida> ${CMAKE_SOURCE_DIR}/bench)

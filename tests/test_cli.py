@@ -124,6 +124,8 @@ class Cli(unittest.TestCase):
             ["render", "scene.clu", "--max-hops", "0"],
             ["render", "scene.clu", "--cutoff", "2"],
             ["render", "scene.clu", "--cutoff", "nan"],
+            ["render", "scene.clu", "--max-error", "0"],
+            ["render", "scene.clu", "--max-error", "nan"],
             ["render", "scene.clu", "--precision", "half"],
             ["render", "scene.clu", "--tile", "0x4"],
             ["render", "scene.clu", "--format", "pov"],

@@ -46,16 +46,13 @@ TEST(SpeedTask, comes_back_from_json_as_it_was)
 {
     SpeedTask task;
     task.scene = {"a b.gun", "gun", "/folder", true};
-    task.picture = {12, 34};
-    task.samples = 5;
-    task.cutoff = 0.125;
-    task.contender = {"1:2", host::Precision::twofold, 3, host::KernelShape::packets};
+    task.contender = {"1:2", host::Precision::twofold, 3, host::KernelShape::packets, host::Shape{8, 4}};
+    task.contender.view = {{12, 34}, 5, {}, 0.125};
     task.native = {"cc", "haswell", "/tmp/folder"};
     task.least_stack = 64;
     const nlohmann::ordered_json j = to_json(task);
     EXPECT_EQ(to_json(task_of(j)), j);
-    EXPECT_EQ(task_of(j).cutoff, task.cutoff);
-    EXPECT_FALSE(task_of(j).max_hops);
+    EXPECT_EQ(task_of(j).contender, task.contender);
 }
 
 TEST(NativeLibrary, compiles_with_every_feature_alone)

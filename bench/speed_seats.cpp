@@ -1,0 +1,91 @@
+#include "bench/speed_seats.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace clucida::bench {
+namespace {
+
+/// What limits a CPU device's threads, for whichever implementation it is: all read it once, as they start.
+constexpr const char* thread_limits[] = {"POCL_MAX_PTHREAD_COUNT", "POCL_CPU_MAX_CU_COUNT", "LP_NUM_THREADS"};
+/// Where the implementations and this program keep compiled kernels.
+constexpr const char* caches[] = {"POCL_CACHE_DIR", "XDG_CACHE_HOME", "MESA_SHADER_CACHE_DIR", "CUDA_CACHE_PATH"};
+
+Seat make_seat(const host::SceneOptions& scene, const SpeedSettings& settings, const SpeedContender& contender,
+               const std::filesystem::path& folder)
+{
+    Seat out;
+    out.task.scene = scene;
+    out.task.contender = contender;
+    out.task.native = settings.native;
+    out.task.native.folder = folder;
+    out.name = fmt::format("{}, {}", scene.file, describe(contender));
+    out.most_opening = settings.most_opening;
+    std::filesystem::create_directories(folder);
+    for (const char* cache : caches) out.environment[cache] = folder.string();
+    if (contender.threads)
+        for (const char* limit : thread_limits) out.environment[limit] = std::to_string(contender.threads);
+    return out;
+}
+
+std::unique_ptr<WorkerProcess> start(const Seat& seat)
+{
+    return std::make_unique<WorkerProcess>(seat.name, "speed-worker", seat.environment);
+}
+
+Readying open(WorkerProcess& worker, Seat& seat)
+{
+    nlohmann::json request = to_json(seat.task);
+    request["do"] = "open";
+    const nlohmann::json answer = worker.ask(request, seat.most_opening);
+    SpeedReport& found = seat.found;
+    found.what = answer.at("what");
+    found.options = answer.at("options");
+    found.kernel = answer.at("packets").get<bool>() ? host::KernelShape::packets : host::KernelShape::pixels;
+    found.threads = answer.at("threads");
+    found.objects = answer.at("objects");
+    found.scene_bytes = answer.at("scene_bytes");
+    return {answer.at("build"), answer.at("first_launch")};
+}
+
+} // namespace
+
+std::vector<Seat> make_seats(const host::SceneOptions& scene, const SpeedSettings& settings,
+                             const std::filesystem::path& folder)
+{
+    std::vector<Seat> out;
+    for (const SpeedContender& c : settings.contenders) {
+        const auto sits = [&](const Seat& s) { return same_process(s.task.contender, c); };
+        if (std::ranges::any_of(out, sits)) continue;
+        const auto shares = [&](const Seat& s) { return same_program(s.task.contender, c); };
+        const auto other = std::ranges::find_if(out, shares);
+        out.push_back(make_seat(scene, settings, c,
+                                other != out.end() ? other->task.native.folder : folder / std::to_string(out.size())));
+    }
+    return out;
+}
+
+Seat& seat_of(std::vector<Seat>& seats, const SpeedContender& contender)
+{
+    return *std::ranges::find_if(seats, [&](const Seat& s) { return same_process(s.task.contender, contender); });
+}
+
+void open_seat(std::vector<Seat>& seats, std::size_t which)
+{
+    Seat& seat = seats[which];
+    const auto before = std::span(seats).first(which);
+    const auto twin = std::ranges::find_if(before, [&](const Seat& s) {
+        return s.failure.empty() && same_program(s.task.contender, seat.task.contender);
+    });
+    if (twin == before.end())
+        seat.found.cold = open(*start(seat), seat);
+    else
+        seat.found.cold = twin->found.cold;
+    auto worker = start(seat);
+    seat.found.cached = open(*worker, seat);
+    seat.worker = std::move(worker);
+}
+
+} // namespace clucida::bench
