@@ -6,13 +6,15 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace clucida::host {
 namespace {
 
 constexpr const char* how_to_calibrate = "`clucida-bench speed SCENE --samples 1,4,16 --precision both --calibrate` or "
                                          "`clucida-bench report` makes one";
 
-QualityRequest request_of(const RenderOptions& o, const std::string& hash)
+QualityRequest request_of(const RenderOptions& o, const std::string& hash, bool has_double)
 {
     QualityRequest out;
     out.max_error = *o.max_error;
@@ -20,6 +22,7 @@ QualityRequest request_of(const RenderOptions& o, const std::string& hash)
     out.kernel = o.kernel;
     out.picture = parse_picture_size(o.size);
     if (o.precision_given) out.precision = o.precision == "double" ? Precision::twofold : Precision::single;
+    if (!o.precision_given && !has_double) out.precision = Precision::single;
     if (o.samples_given) out.samples = o.samples;
     out.max_hops = o.max_hops;
     out.cutoff = o.cutoff;
@@ -50,13 +53,15 @@ void choose_by_error(RenderOptions& o, const std::string& hash)
     if (o.scene.as_original)
         throw UsageError("--max-error is for the optical model, not for --as-original: nothing is known of how far "
                          "imitations are from right");
-    const DeviceInfo device = find_device(device_selector(o.device)).info;
+    const std::vector<Device> devices = find_devices(device_selector(o.device));
+    const DeviceInfo device = devices.front().info; // of several, whose pictures are the same, the first was measured
+    const bool has_double = std::ranges::all_of(devices, [](const Device& d) { return d.info.has_double; });
     std::string problem;
     const std::vector<CalibrationRecord> records = load_calibration(device, &problem);
     if (!problem.empty()) fmt::print(stderr, "clucida: warning: the calibration {}\n", problem);
-    o.error_choice = choose_quality(records, request_of(o, hash));
+    o.error_choice = choose_quality(records, request_of(o, hash, has_double));
     if (!o.error_choice) {
-        if (!o.precision_given && device.has_double) o.precision = "double";
+        if (!o.precision_given && has_double) o.precision = "double";
         fmt::print(stderr,
                    "clucida: warning: no calibration of {} tells which error to expect of this; taking {}. {}\n",
                    describe(device), words_of(o), how_to_calibrate);

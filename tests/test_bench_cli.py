@@ -173,7 +173,7 @@ class Speed(unittest.TestCase):
 
     def test_both_precisions_and_thread_limits_are_contenders(self):
         rows = self.run_json(self.scene, "--native", "--precision", "both", "--threads", "1,2", "--error", "none")
-        native = [(b["precision"], b["threads"]) for b in rows if "/native/" in b["name"]]
+        native = [(b["precision"], b["threads"]) for b in rows if "/native-build/" in b["name"]]
         self.assertEqual(native, [("float", 1), ("float", 2), ("double", 1), ("double", 2)])
         self.assertGreater(len(rows), len(native))
         self.assertNotIn("rmse", rows[0])
