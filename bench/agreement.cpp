@@ -63,13 +63,15 @@ Agreement agree(const Render& a, const Render& b, host::Shape size)
 {
     const std::size_t pixels = host::area(size);
     for (const Render* r : {&a, &b})
-        if (r->rgb.size() != 3 * pixels || r->paths.size() != pixels)
+        if (r->rgb.size() != 3 * pixels || (!r->paths.empty() && r->paths.size() != pixels))
             throw host::Failure("a picture is not of the size that was asked for");
     const auto bytes_a = host::develop_8(picture_of(a, size), host::Transfer::srgb);
     const auto bytes_b = host::develop_8(picture_of(b, size), host::Transfer::srgb);
     Agreement out;
     out.values = 3 * pixels;
     out.pixels = pixels;
+    const bool told = !a.paths.empty() && !b.paths.empty();
+    out.paths = told ? pixels : 0;
     for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
         unsigned steps = 0;
         bool differs = false;
@@ -80,11 +82,11 @@ Agreement agree(const Render& a, const Render& b, host::Shape size)
             out.most_ulps = std::max(out.most_ulps, ulps);
             steps = std::max(steps, static_cast<unsigned>(std::abs(bytes_a[i] - bytes_b[i])));
         }
-        const bool flip = a.paths[pixel] != b.paths[pixel];
+        const bool flip = told && a.paths[pixel] != b.paths[pixel];
         out.most_steps = std::max(out.most_steps, steps);
         out.over += steps > 1;
         out.flips += flip;
-        out.other += differs && !flip;
+        out.other += told && differs && !flip;
     }
     return out;
 }
@@ -97,6 +99,7 @@ Agreement united(const Agreement& a, const Agreement& b)
             std::max(a.most_steps, b.most_steps),
             a.pixels + b.pixels,
             a.over + b.over,
+            a.paths + b.paths,
             a.flips + b.flips,
             a.other + b.other};
 }

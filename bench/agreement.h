@@ -24,8 +24,9 @@ Place parse_place(std::string_view text);
 
 /// What one place made of a scene by one kernel in one precision.
 struct Render {
-    std::vector<std::uint32_t> rgb;   ///< the bits of linear floats
-    std::vector<std::uint32_t> paths; ///< of each pixel's first sample the hash of its events
+    std::vector<std::uint32_t> rgb; ///< the bits of linear floats
+    std::vector<std::uint32_t>
+        paths; ///< of each pixel's first sample the hash of its events; none where they are not told
 };
 
 /// How far two renders are apart.
@@ -34,7 +35,8 @@ struct Agreement {
     std::uint64_t most_ulps = 0;       ///< floats between two values at most
     unsigned most_steps = 0;           ///< of 8-bit sRGB
     std::size_t pixels = 0, over = 0;  ///< pixels; those more than one step apart
-    std::size_t flips = 0;             ///< pixels whose paths differ
+    std::size_t paths = 0;             ///< pixels whose paths both tell
+    std::size_t flips = 0;             ///< those of them whose paths differ
     std::size_t other = 0;             ///< pixels that differ though their paths do not
 };
 

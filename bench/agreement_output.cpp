@@ -53,7 +53,7 @@ std::string worth_telling(const SceneAgreement& r)
     if (!r.failure.empty()) return r.failure;
     std::string out;
     const auto add = [&](const std::string& text) { out += (out.empty() ? "" : ", ") + text; };
-    if (r.agreement.flips) add(fmt::format("{} of {} paths differ", r.agreement.flips, r.agreement.pixels));
+    if (r.agreement.flips) add(fmt::format("{} of {} paths differ", r.agreement.flips, r.agreement.paths));
     if (r.agreement.over)
         add(fmt::format("{} pixels differ by up to {} steps", r.agreement.over, r.agreement.most_steps));
     if (!r.faults.empty()) add("faults: " + r.faults);
@@ -64,7 +64,7 @@ std::string worth_telling(const SceneAgreement& r)
 
 double flips_per_million(const Agreement& a)
 {
-    return a.pixels ? 1e6 * static_cast<double>(a.flips) / static_cast<double>(a.pixels) : 0;
+    return a.paths ? 1e6 * static_cast<double>(a.flips) / static_cast<double>(a.paths) : 0;
 }
 
 void print_agreement(std::FILE* to, std::span<const SceneAgreement> results, host::Shape size)
@@ -74,9 +74,11 @@ void print_agreement(std::FILE* to, std::span<const SceneAgreement> results, hos
                    "|---|---|---|---:|---:|---:|---:|---:|---:|---:|---:|\n");
     for (const Row& row : rows_of(results)) {
         const Agreement& a = row.agreement;
-        fmt::print(to, "| {} | {} | {} | {} | {} | {:.4f} % | {} | {} | {} | {:.1f} | {} |\n", row.first->place,
+        fmt::print(to, "| {} | {} | {} | {} | {} | {:.4f} % | {} | {} | {} | {} | {} |\n", row.first->place,
                    precision_name(row.first->way.precision), kernel_name(row.first->way), row.scenes, row.failed,
-                   100 * equal_share(a), a.most_ulps, a.most_steps, a.over, flips_per_million(a), a.other);
+                   100 * equal_share(a), a.most_ulps, a.most_steps, a.over,
+                   a.paths ? fmt::format("{:.1f}", flips_per_million(a)) : "-",
+                   a.paths ? fmt::format("{}", a.other) : "-");
     }
     if (results.empty()) return;
     fmt::print(to,
@@ -120,6 +122,7 @@ nlohmann::ordered_json agreement_json(std::span<const SceneAgreement> results, h
             {"most_ulps", a.most_ulps},
             {"most_steps", a.most_steps},
             {"pixels_over_a_step", a.over},
+            {"paths", a.paths},
             {"flips", a.flips},
             {"flips_ppm", flips_per_million(a)},
             {"differ_on_same_path", a.other},

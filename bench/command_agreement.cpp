@@ -65,7 +65,7 @@ bool render(Worker& w, const std::string& scene, const Way& way, const Agreement
         if (!answer.contains("rgb")) return false;
         out.faults = answer.at("faults").get<std::string>();
         picture.rgb = answer.at("rgb").get<std::vector<std::uint32_t>>();
-        if (!known) w.paths[way.precision] = answer.at("paths").get<std::vector<std::uint32_t>>();
+        if (!known) w.paths[way.precision] = answer.value("paths", std::vector<std::uint32_t>());
         picture.paths = w.paths[way.precision];
         return true;
     } catch (const host::Failure& e) {

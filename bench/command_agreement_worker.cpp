@@ -50,7 +50,8 @@ Json render(std::optional<host::Renderer>& renderer, const Json& request)
     for (const float value : frame.picture.rgb) rgb.push_back(std::bit_cast<std::uint32_t>(value));
     out["rgb"] = std::move(rgb);
     out["faults"] = host::describe_faults(frame.statistics);
-    if (request.at("paths").get<bool>()) out["paths"] = paths_of(*renderer, compiled, frame, settings);
+    if (request.at("paths").get<bool>() && !renderer->device.info.native) // whose kernels tell none
+        out["paths"] = paths_of(*renderer, compiled, frame, settings);
     return out;
 }
 

@@ -54,9 +54,17 @@ class Agreement(unittest.TestCase):
         self.assertIn("100.0000 %", done.stderr)
 
     def test_a_device_that_is_not_there_is_a_row_and_fails_the_gate_only(self):
-        devices = ("--device", self.device, "--device", "OCL_ICD_VENDORS=/nowhere cpu")
+        devices = ("--device", self.device, "--device", "OCL_ICD_VENDORS=/nowhere gpu")
         self.assertIn("no OpenCL device is installed", self.agree(*devices).stdout)
         self.assertIn("1 of 2 pictures", self.agree(*devices, "--fail-above-flips", "0", code=1).stderr)
+
+    def test_the_native_device_makes_the_same_values_and_tells_no_paths(self):
+        done = self.agree("--device", self.device, "--device", "native", "--kernel", "pixels,packets", "--json", "-",
+                          "--fail-above-steps", "0")  # fmt: skip
+        rows = [r for r in json.loads(done.stdout)["benchmarks"] if r["place"] == "native"]
+        self.assertEqual([r["kernel"] for r in rows], ["pixels", "packets"])
+        for row in rows:
+            self.assertEqual((row["equal_share"], row["paths"]), (1, 0))
 
     def test_what_is_not_known_is_refused(self):
         self.agree("--device", "A=1", code=2)
