@@ -4,28 +4,16 @@ import json
 import os
 import subprocess
 import sys
-import tempfile
 import unittest
 
-PROGRAM = os.path.abspath(sys.argv.pop(1))
+from bench_case import glass_scene
 
-SCENE = """clucida 1
-observer { eye [0, -6, 2]; look [0, 0, 0.8]; fov 45 }
-sky gradient { low 0.2; middle 0.8; high [0.2, 0.4, 1] }
-light { point [5, -5, 8] }
-optics glass { reflection 0.1; refraction 0.9; index 1.5 }
-object ball { solid sphere([0, 0, 1], 1); optics glass }
-object ground { solid plane([0, 0, 0], [0, 0, 1]); optics { absorption 0.5 } }
-"""
+PROGRAM = os.path.abspath(sys.argv.pop(1))
 
 
 class BenchCli(unittest.TestCase):
     def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        self.scene = os.path.join(self.folder.name, "glass.clu")
-        with open(self.scene, "w") as file:
-            file.write(SCENE)
+        self.folder, self.scene = glass_scene(self)
 
     def run_error(self, *arguments, code=0):
         done = subprocess.run(
@@ -92,11 +80,7 @@ class BenchCli(unittest.TestCase):
 
 class Speed(unittest.TestCase):
     def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        self.scene = os.path.join(self.folder.name, "glass.clu")
-        with open(self.scene, "w") as file:
-            file.write(SCENE)
+        self.folder, self.scene = glass_scene(self)
         self.temporary = os.path.join(self.folder.name, "tmp")
         os.mkdir(self.temporary)
 

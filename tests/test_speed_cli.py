@@ -7,30 +7,21 @@ import os
 import re
 import subprocess
 import sys
-import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 
+from bench_case import SCENE, glass_scene
+
 BENCH, CLUCIDA = (os.path.abspath(sys.argv.pop(1)) for _ in range(2))
 
-SCENE = """clucida 1
-observer { eye [0, -6, 2]; look [0, 0, 0.8]; fov 45 }
-sky gradient { low 0.2; middle 0.8; high [0.2, 0.4, 1] }
-light { point [5, -5, 8] }
-optics glass { reflection 0.1; refraction 0.9; index 1.5 }
-object ball { solid sphere([0, 0, 1], 1); optics glass }
-object ground { solid plane([0, 0, 0], [0, 0, 1]); optics { absorption 0.5 } }
-"""
 FIGURES = ("speed", "-s", "48x27", "--rounds", "2", "-q")
 
 
 class Case(unittest.TestCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
+        folder, self.scene = glass_scene(self)
         self.folder = folder.name
         self.cache = self.path("cache")
-        self.scene = self.write("glass.clu", SCENE)
 
     def path(self, *names):
         return os.path.join(self.folder, *names)
