@@ -51,9 +51,9 @@ DeviceInfo info_of(const cl::Platform& platform, const cl::Device& device)
     i.usable = info_or_default<CL_DEVICE_AVAILABLE>(device) && info_or_default<CL_DEVICE_COMPILER_AVAILABLE>(device);
     i.has_double = info_or_default<CL_DEVICE_DOUBLE_FP_CONFIG>(device) != 0;
     // Intel's runtime says so of doubles only, and has one instruction for either.
-    i.has_fma = ((info_or_default<CL_DEVICE_SINGLE_FP_CONFIG>(device) |
-                  info_or_default<CL_DEVICE_DOUBLE_FP_CONFIG>(device)) &
-                 CL_FP_FMA) != 0;
+    i.has_fma =
+        ((info_or_default<CL_DEVICE_SINGLE_FP_CONFIG>(device) | info_or_default<CL_DEVICE_DOUBLE_FP_CONFIG>(device)) &
+         CL_FP_FMA) != 0;
     i.rounds_division =
         (info_or_default<CL_DEVICE_SINGLE_FP_CONFIG>(device) & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0;
     return i;
