@@ -71,7 +71,7 @@ std::filesystem::path reference_file(const host::SceneSource& source, const host
                                      const SpeedSettings& settings, const SpeedView& view,
                                      const std::filesystem::path& folder)
 {
-    const std::filesystem::path file = folder_of_references(folder) / (fingerprint_of(source, settings, view) + ".pfm");
+    std::filesystem::path file = folder_of_references(folder) / (fingerprint_of(source, settings, view) + ".pfm");
     if (is_whole(file, view.picture)) return file;
     SpeedSettings one = settings;
     one.contenders = {{settings.reference_device, settings.reference_precision, 0, {}, {}, view}};

@@ -128,7 +128,7 @@ Json report_json(const SceneSpeed& of, const SpeedReport& r, const SpeedSettings
 std::string csv_field(const Json& value)
 {
     if (value.is_null()) return "";
-    const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+    std::string text = value.is_string() ? value.get<std::string>() : value.dump();
     if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
     std::string out = "\"";
     for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
@@ -179,6 +179,7 @@ std::string benchmarks_csv(const Json& report)
             if (!value.is_structured() && std::ranges::find(names, name) == names.end()) names.push_back(name);
     const auto line = [&](const auto& field) {
         std::vector<std::string> fields;
+        fields.reserve(names.size());
         for (const std::string& name : names) fields.push_back(field(name));
         return fmt::format("{}\r\n", fmt::join(fields, ","));
     };

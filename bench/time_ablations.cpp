@@ -99,6 +99,7 @@ std::vector<AblationTime> time_ablations(const host::Device& device, std::vector
             if (Contender& c = contenders[(round + turn) % contenders.size()]; !c.time.meaningless)
                 render(c); // nobody always comes first
     std::vector<AblationTime> out;
+    out.reserve(contenders.size());
     for (Contender& c : contenders)
         if (!c.time.meaningless) judge(c, contenders.front(), device.info);
     for (Contender& c : contenders) out.push_back(std::move(c.time));
