@@ -23,15 +23,15 @@ clucida_test(test_half_storage test_half_storage.cpp LIBS clucida_profile)
 
 add_test(NAME test_bench_cli
          COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/test_bench_cli.py $<TARGET_FILE:clucida-bench>)
-set_tests_properties(test_bench_cli PROPERTIES TIMEOUT 600)
+set_tests_properties(test_bench_cli PROPERTIES TIMEOUT 600 COST 50)
 
 add_test(NAME test_profile_cli
          COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/test_profile_cli.py $<TARGET_FILE:clucida-bench>)
-set_tests_properties(test_profile_cli PROPERTIES TIMEOUT 1200)
+set_tests_properties(test_profile_cli PROPERTIES TIMEOUT 1200 COST 60)
 add_test(NAME test_speed_cli
          COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/test_speed_cli.py $<TARGET_FILE:clucida-bench>
                  $<TARGET_FILE:clucida>)
-set_tests_properties(test_speed_cli PROPERTIES TIMEOUT 900)
+set_tests_properties(test_speed_cli PROPERTIES TIMEOUT 900 COST 200)
 
 add_test(NAME test_corpus COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/test_corpus.py
          $<TARGET_FILE:clucida> ${CMAKE_SOURCE_DIR}/bench)

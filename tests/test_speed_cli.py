@@ -5,8 +5,10 @@ import glob
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
+import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 
@@ -158,8 +160,18 @@ class MaxError(Case):
     def render(self, *arguments, code=0):
         return self.run_program(CLUCIDA, "render", self.scene, "-s", "48x27", "-o", "out.png", *arguments, code=code)
 
+    calibrated = None  # a cache with the calibration of self.scene, made once for all
+
     def calibrate(self, *scenes):
         self.speed(*scenes, "--samples", "1,4,16", "--calibrate")
+
+    def be_calibrated(self):
+        if MaxError.calibrated is None:
+            self.calibrate(self.scene)
+            MaxError.calibrated = tempfile.TemporaryDirectory()
+            shutil.copytree(self.cache, MaxError.calibrated.name, dirs_exist_ok=True)
+        else:
+            shutil.copytree(MaxError.calibrated.name, self.cache, dirs_exist_ok=True)
 
     def test_without_calibration_it_says_so_and_is_accurate(self):
         done = self.render("--max-error", "0.01", "--json")
@@ -170,7 +182,7 @@ class MaxError(Case):
         self.assertEqual(told["from"], "no calibration")
 
     def test_settings_are_chosen_by_what_was_measured_on_this_scene(self):
-        self.calibrate(self.scene)
+        self.be_calibrated()
         loose = json.loads(self.render("--max-error", "0.5", "--json").stdout)["max_error"]
         self.assertEqual(loose["samples"], 1)
         self.assertEqual(loose["from"], "calibrated on this scene")
@@ -185,7 +197,7 @@ class MaxError(Case):
         self.assertEqual(fixed["samples"], 4)
 
     def test_the_picture_is_that_of_the_settings(self):
-        self.calibrate(self.scene)
+        self.be_calibrated()
         self.render("--max-error", "1e-6")
         with open(self.path("out.png"), "rb") as file:
             chosen = file.read()
@@ -203,7 +215,7 @@ class MaxError(Case):
         self.assertIn("the worst of 3 calibrated scenes", self.render("--max-error", "0.5").stderr)
 
     def test_a_broken_calibration_is_told_and_ignored(self):
-        self.calibrate(self.scene)
+        self.be_calibrated()
         (file,) = glob.glob(self.path("cache", "clucida", "calibration", "*.json"))
         with open(file, "w") as broken:
             broken.write("[")
@@ -212,7 +224,7 @@ class MaxError(Case):
         self.assertIn("no calibration", done.stderr)
 
     def test_films_and_streams_have_it_once(self):
-        self.calibrate(self.scene)
+        self.be_calibrated()
         film = self.run_program(CLUCIDA, "render", self.scene, "-s", "48x27", "-o", "f%d.png", "--frames", "1-2",
                                 "--frame-count", "2", "--max-error", "1e-6")  # fmt: skip
         self.assertEqual(film.stderr.count("--samples 16"), 1)
