@@ -1,6 +1,7 @@
 #include "bench/agreement_output.h"
 
 #include "bench/precision_name.h"
+#include "bench/speed_words.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -18,11 +19,6 @@ struct Row {
     Agreement agreement;
     std::size_t scenes = 0, failed = 0;
 };
-
-const char* kernel_name(const Way& way)
-{
-    return way.kernel == host::KernelShape::packets ? "packets" : "pixels";
-}
 
 bool same_row(const SceneAgreement& a, const SceneAgreement& b)
 {
@@ -75,7 +71,7 @@ void print_agreement(std::FILE* to, std::span<const SceneAgreement> results, hos
     for (const Row& row : rows_of(results)) {
         const Agreement& a = row.agreement;
         fmt::print(to, "| {} | {} | {} | {} | {} | {:.4f} % | {} | {} | {} | {} | {} |\n", row.first->place,
-                   precision_name(row.first->way.precision), kernel_name(row.first->way), row.scenes, row.failed,
+                   precision_name(row.first->way.precision), kernel_name(row.first->way.kernel), row.scenes, row.failed,
                    100 * equal_share(a), a.most_ulps, a.most_steps, a.over,
                    a.paths ? fmt::format("{:.1f}", flips_per_million(a)) : "-",
                    a.paths ? fmt::format("{}", a.other) : "-");
@@ -93,7 +89,7 @@ void print_agreement(std::FILE* to, std::span<const SceneAgreement> results, hos
         }
         if (const std::string text = worth_telling(r); !text.empty())
             fmt::print(to, "- {}, {} in {} by {}: {}\n", r.scene, r.place, precision_name(r.way.precision),
-                       kernel_name(r.way), text);
+                       kernel_name(r.way.kernel), text);
     }
 }
 
@@ -109,13 +105,13 @@ nlohmann::ordered_json agreement_json(std::span<const SceneAgreement> results, h
     for (const SceneAgreement& r : results) {
         const Agreement& a = r.agreement;
         nlohmann::ordered_json j = {
-            {"name", fmt::format("agreement/{}/{}/{}/{}/{}x{}", r.scene, r.place, kernel_name(r.way),
+            {"name", fmt::format("agreement/{}/{}/{}/{}/{}x{}", r.scene, r.place, kernel_name(r.way.kernel),
                                  precision_name(r.way.precision), size.width, size.height)},
             {"run_type", "iteration"},
             {"scene", r.scene},
             {"place", r.place},
             {"device", r.device},
-            {"kernel", kernel_name(r.way)},
+            {"kernel", kernel_name(r.way.kernel)},
             {"precision", precision_name(r.way.precision)},
             {"pixels", a.pixels},
             {"equal_share", equal_share(a)},

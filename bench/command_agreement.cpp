@@ -1,6 +1,7 @@
 #include "bench/agreement_output.h"
 #include "bench/commands.h"
 #include "bench/worker_process.h"
+#include "bench/write_json.h"
 #include "host/arguments.h"
 #include "host/atomic_file.h"
 #include "host/commands.h"
@@ -109,17 +110,6 @@ bool passes(const SceneAgreement& r, const AgreementOptions& o)
            (!o.most_steps || r.agreement.most_steps <= *o.most_steps);
 }
 
-void write_json(const std::vector<SceneAgreement>& results, const AgreementOptions& o)
-{
-    const std::string text = agreement_json(results, host::parse_picture_size(o.size))
-                                 .dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
-                             "\n";
-    if (o.json == "-")
-        fmt::print("{}", text);
-    else
-        host::write_file(o.json, text);
-}
-
 void run(const AgreementOptions& o)
 {
     const host::Shape size = host::parse_picture_size(o.size);
@@ -129,7 +119,7 @@ void run(const AgreementOptions& o)
     std::vector<SceneAgreement> results;
     for (const std::string& scene : o.scenes) measure(scene, workers, o, results);
     print_agreement(o.json == "-" ? stderr : stdout, results, size);
-    if (!o.json.empty()) write_json(results, o);
+    if (!o.json.empty()) write_json(o.json, agreement_json(results, size));
     if (!o.most_flips && !o.most_steps) return;
     std::size_t failed = 0;
     for (const SceneAgreement& r : results) failed += !passes(r, o);

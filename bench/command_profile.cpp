@@ -1,5 +1,7 @@
 #include "bench/commands.h"
 #include "bench/profile_output.h"
+#include "bench/speed_axes.h"
+#include "bench/write_json.h"
 #include "host/arguments.h"
 #include "host/atomic_file.h"
 #include "host/commands.h"
@@ -32,7 +34,7 @@ ProfileSettings settings_of(const ProfileOptions& o)
     out.picture = host::parse_picture_size(o.size);
     out.executed_picture = host::parse_picture_size(o.executed_size);
     out.precision = o.precision == "double" ? host::Precision::twofold : host::Precision::single;
-    if (o.kernel != "auto") out.kernel = o.kernel == "packets" ? host::KernelShape::packets : host::KernelShape::pixels;
+    out.kernel = parse_kernel(o.kernel);
     out.rounds = o.rounds;
     out.compiler = o.compiler;
     out.oracle_threads = std::max(std::thread::hardware_concurrency(), 1U);
@@ -41,15 +43,6 @@ ProfileSettings settings_of(const ProfileOptions& o)
     for (const std::string& file : o.scenes)
         if (file == "-") throw host::UsageError("a scene that is profiled is read several times: it must be a file");
     return out;
-}
-
-void write_json(const ProfileOptions& o, const nlohmann::ordered_json& report)
-{
-    const std::string text = report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
-    if (o.json == "-")
-        fmt::print("{}", text);
-    else
-        host::write_file(o.json, text);
 }
 
 void run(const ProfileOptions& o)
@@ -70,7 +63,7 @@ void run(const ProfileOptions& o)
         print_profile(to, profiles.back(), settings, device.info);
         std::fflush(to);
     }
-    if (!o.json.empty()) write_json(o, profile_json(profiles, settings, device.info));
+    if (!o.json.empty()) write_json(o.json, profile_json(profiles, settings, device.info));
 }
 
 void add_options(CLI::App& command, ProfileOptions& o)

@@ -5,6 +5,7 @@
 #include "bench/speed_options.h"
 #include "bench/speed_rank.h"
 #include "bench/speed_words.h"
+#include "bench/write_json.h"
 #include "host/atomic_file.h"
 #include "host/progress.h"
 
@@ -52,11 +53,7 @@ void print_comparison(std::FILE* to, const ReportComparison& comparison)
 void write_outputs(const SpeedOptions& o, const std::vector<SceneSpeed>& results, const SpeedSettings& settings,
                    const Load& load, const nlohmann::ordered_json& json)
 {
-    const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
-    if (o.json == "-")
-        fmt::print("{}", text);
-    else if (!o.json.empty())
-        host::write_file(o.json, text);
+    if (!o.json.empty()) write_json(o.json, json);
     if (!o.csv.empty()) host::write_file(o.csv, benchmarks_csv(json));
     if (!o.html.empty()) host::write_file(o.html, speed_page(results, settings, load));
     if (o.svg.empty()) return;

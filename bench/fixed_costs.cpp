@@ -1,6 +1,7 @@
 #include "bench/fixed_costs.h"
 
 #include "bench/median.h"
+#include "bench/speed_seats.h"
 #include "bench/worker_process.h"
 #include "host/interrupt.h"
 #include "host/stopwatch.h"
@@ -8,18 +9,6 @@
 #include <nlohmann/json.hpp>
 
 namespace clucida::bench {
-namespace {
-
-/// Where OpenCL's implementations and this program keep compiled kernels.
-host::Environment caches_in(const std::filesystem::path& folder)
-{
-    host::Environment out;
-    for (const char* cache : {"POCL_CACHE_DIR", "XDG_CACHE_HOME", "MESA_SHADER_CACHE_DIR", "CUDA_CACHE_PATH"})
-        out[cache] = folder.string();
-    return out;
-}
-
-} // namespace
 
 FixedCosts measure_builds(const SpeedTask& task, const std::filesystem::path& folder)
 {

@@ -76,8 +76,7 @@ void trace_natively(const NativeLibrary& library, const scene::Compiled& compile
     for (std::size_t i = 0; i < frame.picture.rgb.size(); ++i)
         frame.picture.rgb[i] = sums[i / 3 * 4 + i % 3] / static_cast<float>(samples);
     frame.statistics = {};
-    for (const host::Statistics& s : counted)
-        for (const host::StatisticsField& f : host::statistics_fields()) frame.statistics.*f.value += s.*f.value;
+    for (const host::Statistics& s : counted) host::add(frame.statistics, s);
 }
 
 /// As render_frame() does it.

@@ -4,6 +4,7 @@
 #include "bench/recommendations.h"
 #include "bench/speed_axes.h"
 #include "bench/speed_files.h"
+#include "bench/write_json.h"
 #include "host/atomic_file.h"
 
 #include <fmt/format.h>
@@ -139,8 +140,7 @@ void write_report(const std::filesystem::path& folder, const Report& report)
 {
     SeriesStyles styles;
     for (const ReportPart& part : report.parts) write_plots(folder, plots_of(part, styles, PlotUse::file));
-    host::write_file(folder / "report.json",
-                     report_json(report).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    write_json((folder / "report.json").string(), report_json(report));
     host::write_file(folder / "report.md", markdown_of(report));
     host::write_file(folder / "report.html", page_of(report));
 }

@@ -10,8 +10,6 @@ namespace {
 
 /// What limits a CPU device's threads, for whichever implementation it is: all read it once, as they start.
 constexpr const char* thread_limits[] = {"POCL_MAX_PTHREAD_COUNT", "POCL_CPU_MAX_CU_COUNT", "LP_NUM_THREADS"};
-/// Where the implementations and this program keep compiled kernels.
-constexpr const char* caches[] = {"POCL_CACHE_DIR", "XDG_CACHE_HOME", "MESA_SHADER_CACHE_DIR", "CUDA_CACHE_PATH"};
 
 Seat make_seat(const host::SceneOptions& scene, const SpeedSettings& settings, const SpeedContender& contender,
                const std::filesystem::path& folder)
@@ -24,7 +22,7 @@ Seat make_seat(const host::SceneOptions& scene, const SpeedSettings& settings, c
     out.name = fmt::format("{}, {}", scene.file, describe(contender));
     out.most_opening = settings.most_opening;
     std::filesystem::create_directories(folder);
-    for (const char* cache : caches) out.environment[cache] = folder.string();
+    out.environment = caches_in(folder);
     if (contender.threads)
         for (const char* limit : thread_limits) out.environment[limit] = std::to_string(contender.threads);
     return out;
@@ -51,6 +49,14 @@ Readying open(WorkerProcess& worker, Seat& seat)
 }
 
 } // namespace
+
+host::Environment caches_in(const std::filesystem::path& folder)
+{
+    host::Environment out;
+    for (const char* cache : {"POCL_CACHE_DIR", "XDG_CACHE_HOME", "MESA_SHADER_CACHE_DIR", "CUDA_CACHE_PATH"})
+        out[cache] = folder.string();
+    return out;
+}
 
 std::vector<Seat> make_seats(const host::SceneOptions& scene, const SpeedSettings& settings,
                              const std::filesystem::path& folder)

@@ -19,6 +19,9 @@ struct Seat {
     SpeedReport found; ///< what opening it told
 };
 
+/// An environment in which OpenCL's implementations and this program keep compiled kernels in that folder.
+host::Environment caches_in(const std::filesystem::path& folder);
+
 /// A seat for each process that the contenders need, none of them open yet. Those of one program share a folder, in
 /// which they find what one of them has compiled.
 std::vector<Seat> make_seats(const host::SceneOptions& scene, const SpeedSettings& settings,
