@@ -130,6 +130,8 @@ public:
         milliseconds pause{0};
         int failing_launch = -1;
         std::future<void>* release = nullptr; ///< not done before this is
+        const FakeTracer* other = nullptr;    ///< not done before this one has launched so often:
+        int others_launches = 1;
     };
     explicit FakeTracer(Ways ways) : ways_(ways) {}
     Shape grain() const override { return {8, 4}; }
@@ -167,6 +169,9 @@ private:
         void wait() override
         {
             std::this_thread::sleep_for(tracer.ways_.pause);
+            const FakeTracer* other = tracer.ways_.other;
+            while (other && other->launches < tracer.ways_.others_launches)
+                std::this_thread::sleep_for(milliseconds(1));
             if (tracer.ways_.release) tracer.ways_.release->wait();
         }
         FakeTracer& tracer;
@@ -208,7 +213,7 @@ constexpr Shape picture{333, 217};
 
 TEST(Teams, share_a_frame_by_their_speed)
 {
-    FakeTracer fast({picture, milliseconds(1)}), slow({picture, milliseconds(1)});
+    FakeTracer slow({picture}), fast({.picture = picture, .other = &slow});
     const Traced traced = trace({&fast, &slow}, picture, {1e-6, 4e-6});
     expect_complete(traced.frame, picture);
     EXPECT_GT(fast.launches, 0);
@@ -218,7 +223,8 @@ TEST(Teams, share_a_frame_by_their_speed)
 TEST(Teams, a_device_that_fails_midway_gives_its_regions_to_the_others)
 {
     for (const int launch : {0, 1, 3}) {
-        FakeTracer sound({picture, milliseconds(2)}), broken({picture, milliseconds(1), launch});
+        FakeTracer broken({.picture = picture, .failing_launch = launch});
+        FakeTracer sound({.picture = picture, .other = &broken, .others_launches = launch + 1});
         const Traced traced = trace({&sound, &broken}, picture, {1e-6, 1e-6});
         expect_complete(traced.frame, picture);
         EXPECT_EQ(traced.workers[0].failure, "");
@@ -228,7 +234,7 @@ TEST(Teams, a_device_that_fails_midway_gives_its_regions_to_the_others)
 
 TEST(Teams, if_all_fail_the_frame_does)
 {
-    FakeTracer one({picture, milliseconds(0), 2}), two({picture, milliseconds(0), 1});
+    FakeTracer one({.picture = picture, .failing_launch = 2}), two({.picture = picture, .failing_launch = 1});
     EXPECT_THROW(trace({&one, &two}, picture, {1e-6, 1e-6}), Failure);
 }
 
@@ -236,7 +242,7 @@ TEST(Teams, one_that_hangs_does_not_hold_up_the_frame)
 {
     std::promise<void> complete;
     std::future<void> release = complete.get_future();
-    FakeTracer quick({picture}), stuck({picture, milliseconds(0), -1, &release});
+    FakeTracer stuck({.picture = picture, .release = &release}), quick({.picture = picture, .other = &stuck});
     unsigned rows = 0;
     trace({&quick, &stuck}, picture, {1e-7, 1e-7}, {.rows = [&](unsigned y, std::span<const float> rgb) {
               EXPECT_EQ(y, rows);
