@@ -130,10 +130,14 @@ public:
         milliseconds pause{0};
         int failing_launch = -1;
         std::future<void>* release = nullptr; ///< not done before this is
-        const FakeTracer* other = nullptr;    ///< not done before this one has launched so often:
-        int others_launches = 1;
     };
     explicit FakeTracer(Ways ways) : ways_(ways) {}
+    /// Nothing is done before the other has launched so often.
+    void wait_for(const FakeTracer& other, int launches = 1)
+    {
+        other_ = &other;
+        others_launches_ = launches;
+    }
     Shape grain() const override { return {8, 4}; }
     unsigned most_in_flight() const override { return 2; }
     std::size_t most_pixels() const override { return 1U << 24; }
@@ -169,14 +173,15 @@ private:
         void wait() override
         {
             std::this_thread::sleep_for(tracer.ways_.pause);
-            const FakeTracer* other = tracer.ways_.other;
-            while (other && other->launches < tracer.ways_.others_launches)
+            while (tracer.other_ && tracer.other_->launches < tracer.others_launches_)
                 std::this_thread::sleep_for(milliseconds(1));
             if (tracer.ways_.release) tracer.ways_.release->wait();
         }
         FakeTracer& tracer;
     };
     Ways ways_;
+    const FakeTracer* other_ = nullptr;
+    int others_launches_ = 0;
 };
 
 struct Traced {
@@ -213,7 +218,9 @@ constexpr Shape picture{333, 217};
 
 TEST(Teams, share_a_frame_by_their_speed)
 {
-    FakeTracer slow({picture}), fast({.picture = picture, .other = &slow});
+    FakeTracer fast({picture}), slow({picture});
+    fast.wait_for(slow);
+    slow.wait_for(fast);
     const Traced traced = trace({&fast, &slow}, picture, {1e-6, 4e-6});
     expect_complete(traced.frame, picture);
     EXPECT_GT(fast.launches, 0);
@@ -223,8 +230,8 @@ TEST(Teams, share_a_frame_by_their_speed)
 TEST(Teams, a_device_that_fails_midway_gives_its_regions_to_the_others)
 {
     for (const int launch : {0, 1, 3}) {
-        FakeTracer broken({.picture = picture, .failing_launch = launch});
-        FakeTracer sound({.picture = picture, .other = &broken, .others_launches = launch + 1});
+        FakeTracer sound({picture}), broken({.picture = picture, .failing_launch = launch});
+        sound.wait_for(broken, launch + 1);
         const Traced traced = trace({&sound, &broken}, picture, {1e-6, 1e-6});
         expect_complete(traced.frame, picture);
         EXPECT_EQ(traced.workers[0].failure, "");
@@ -242,7 +249,8 @@ TEST(Teams, one_that_hangs_does_not_hold_up_the_frame)
 {
     std::promise<void> complete;
     std::future<void> release = complete.get_future();
-    FakeTracer stuck({.picture = picture, .release = &release}), quick({.picture = picture, .other = &stuck});
+    FakeTracer quick({picture}), stuck({.picture = picture, .release = &release});
+    quick.wait_for(stuck);
     unsigned rows = 0;
     trace({&quick, &stuck}, picture, {1e-7, 1e-7}, {.rows = [&](unsigned y, std::span<const float> rgb) {
               EXPECT_EQ(y, rows);
