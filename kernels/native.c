@@ -1,6 +1,6 @@
-/* The kernels' C core as C11, in float or in double (CLU_DOUBLE). Compiled with every feature it is what unit tests
- * call; a benchmark compiles it with a scene's own features, and with CLU_ONLY_RENDER: what is called from one place
- * only the compiler inlines there, as it does in the OpenCL kernel. */
+/* The kernels' C core as C11, in float or in double (CLU_DOUBLE), or as C++ (native_double.cpp). Compiled with every
+ * feature it is what unit tests call; a benchmark compiles it with a scene's own features, and with CLU_ONLY_RENDER:
+ * what is called from one place only the compiler inlines there, as it does in the OpenCL kernel. */
 #include "kernels/native_api.h"
 
 #include "kernels/packets/trace.h"
@@ -26,24 +26,9 @@ void native_selftest(const float in[4], float results[5])
 
 static World make_world(const NativeScene* scene)
 {
-    const void* const* b = scene->buffers;
-    World world = {b[BUFFER_FRAME],
-                   b[BUFFER_NODES],
-                   b[BUFFER_OBJECTS],
-                   b[BUFFER_GROUPS],
-                   b[BUFFER_MEMBERS],
-                   b[BUFFER_PROGRAMS],
-                   b[BUFFER_PLANES],
-                   b[BUFFER_BLOCKS],
-                   b[BUFFER_SPHERES],
-                   b[BUFFER_QUADRICS],
-                   b[BUFFER_TORI],
-                   b[BUFFER_OPTICS],
-                   b[BUFFER_TEXTURES],
-                   b[BUFFER_IMAGES],
-                   b[BUFFER_TEXELS],
-                   b[BUFFER_LIGHTS],
-                   {0}};
+    World world;
+    memset(&world, 0, sizeof world);
+    memcpy(&world, scene->buffers, sizeof scene->buffers); /* in the same order */
     return world;
 }
 

@@ -6,7 +6,11 @@
 
 #include "kernels/layout.h"
 #include <string.h>
+#ifdef __cplusplus
+#include <math.h>
+#else
 #include <tgmath.h>
+#endif
 
 #define __global
 #define __kernel

@@ -16,7 +16,8 @@ typedef float avx_float8 __attribute__((vector_size(32)));
 #define WIDE_BITS(m) ((u32)__builtin_ia32_movmskps256((avx_float8)(m)))
 #endif
 
-/* A lane of a mask is all ones or 0. The native build has GNU C's vectors, which know fewer operations. */
+/* A lane of a mask is all ones or 0. The native build has GNU C's vectors, which know fewer operations; in double,
+ * as C++, pairs of them. */
 #ifdef __OPENCL_VERSION__
 #ifdef CLU_DOUBLE
 typedef double8 wide;
@@ -132,6 +133,8 @@ INLINED u32 wide_bits(wide_mask m)
 #undef CONVERT_WIDE
 #undef CONVERT_MASK
 #undef CONVERT_IDS
+#elif defined(__cplusplus) && defined(CLU_DOUBLE)
+#include "kernels/halves.h"
 #else
 #ifdef CLU_DOUBLE
 typedef int64_t wide_lane;
