@@ -59,7 +59,8 @@ void choose_group_shape(Member& m, const RenderSettings& settings)
     if (r.group || settings.group || settings.cache == KernelCache::off || r.kernel != KernelShape::pixels) return;
     r.group = kept_group(r.device.info);
     const double frame = *r.sample_seconds * static_cast<double>(area(settings.picture)) * settings.samples;
-    if (r.group || frame < worth_it) return;
+    // One whose first launch takes long compiles with it, for each shape anew.
+    if (r.group || frame < worth_it || m.timings.first_enqueue > worth_it) return;
     const Stopwatch watch;
     const Shape usual = m.tracer->grain();
     const auto pixels = static_cast<std::size_t>(look / *r.sample_seconds);

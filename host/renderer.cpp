@@ -1,6 +1,7 @@
 #include "host/renderer.h"
 
 #include "host/errors.h"
+#include "host/workarounds.h"
 
 #include <fmt/format.h>
 
@@ -30,7 +31,7 @@ void require_room(const scene::Buffers& buffers, const DeviceInfo& device)
 KernelShape kernel_shape(const DeviceInfo& device, std::size_t objects)
 {
     const bool wide = device.kind == DeviceKind::cpu && device.float_lanes >= packet_lanes;
-    return wide && objects <= most_packet_objects ? KernelShape::packets : KernelShape::pixels;
+    return wide && objects <= most_packet_objects && !copies_calls(device) ? KernelShape::packets : KernelShape::pixels;
 }
 
 Shape group_of(const Renderer& renderer, const cl::Kernel& kernel, std::optional<Shape> wanted)

@@ -8,6 +8,10 @@
 
 namespace clucida::host {
 
+/// Whether the device's compiler puts a copy of a function at each of its calls, so that large kernels take it minutes
+/// and gigabytes: Mesa's does. A device without fma is taken to be one of its.
+bool copies_calls(const DeviceInfo& device);
+
 /// Options of the kernels' compiler that the device needs besides those of any other, each with a space before it.
 std::string workaround_options(const DeviceInfo& device);
 

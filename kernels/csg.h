@@ -111,28 +111,41 @@ static inline void cut_block(const World* world, __global const LayoutPlaneBlock
 }
 #endif
 
-/* The intersection of convex members, or a single member of any kind; turned inside out if the group says so. */
+/* Cuts the span down to what another, convex one holds. */
+static inline void cut_span(Span* span, const Span* m)
+{
+    if (m->lo > span->lo) {
+        span->lo = m->lo;
+        span->slope_lo = m->slope_lo;
+        span->chord = m->chord;
+        span->face_lo = m->face_lo;
+    }
+    if (m->hi < span->hi) {
+        span->hi = m->hi;
+        span->slope_hi = m->slope_hi;
+        span->face_hi = m->face_hi;
+    }
+}
+
+/* The intersection of convex members, or a single member of any kind; turned inside out if the group says so. All
+ * members come through one call, as some compilers copy what is called. */
 static inline Span group_span(const World* world, const LayoutGroup group, const Line* line)
 {
-    Span span = group.single ? member_span(world, world->members[group.begin], line) : span_everything();
+    Span span = span_everything();
+    u32 i = 0;
+    do {
+        if (group.single) {
+            const Span m = member_span(world, world->members[group.begin + i], line);
+            if (i == 0)
+                span = m;
+            else
+                cut_span(&span, &m);
+        }
 #ifdef CLU_PLANE
-    for (u32 i = 0; i < group.block_count && span.lo < span.hi; i++)
-        cut_block(world, &world->blocks[group.block_begin + i], line, &span);
+        for (u32 k = 0; i == 0 && k < group.block_count && span.lo < span.hi; k++)
+            cut_block(world, &world->blocks[group.block_begin + k], line, &span);
 #endif
-    for (u32 i = 1; i < group.single && span.lo < span.hi; i++) {
-        const Span m = member_span(world, world->members[group.begin + i], line);
-        if (m.lo > span.lo) {
-            span.lo = m.lo;
-            span.slope_lo = m.slope_lo;
-            span.chord = m.chord;
-            span.face_lo = m.face_lo;
-        }
-        if (m.hi < span.hi) {
-            span.hi = m.hi;
-            span.slope_hi = m.slope_hi;
-            span.face_hi = m.face_hi;
-        }
-    }
+    } while (++i < group.single && span.lo < span.hi);
     if (group.inverse) {
         span.keep = !span.keep;
         span.face_lo ^= MEMBER_INVERSE;
@@ -257,17 +270,18 @@ static inline int object_crossing(World* world, __global const LayoutObject* obj
 {
     const int inside = place.inside;
     const real from = place.at, doubt = place_error(line, from, place.err);
+    const u32 count = object->group_count;
+    const int alone = count == 1 && !object->program_count;
+    Span spans[CLU_GROUP_CAPACITY];
+    u32 i = 0;
+    do {
+        const Span s = group_span(world, world->groups[object->group_begin + i], line);
+        spans[i] = s;
+        /* An intersection one of whose members has nothing ahead is done with. */
+        if (!alone && !inside && !object->program_count && s.keep && !(s.lo < s.hi && s.hi >= from)) return 0;
+    } while (++i < count);
 #ifdef CLU_GROUPS
-    if (object->group_count > 1 || object->program_count) {
-        Span spans[CLU_GROUP_CAPACITY];
-        const u32 count = object->group_count;
-        u32 i = 0;
-        do {
-            const Span s = group_span(world, world->groups[object->group_begin + i], line);
-            spans[i] = s;
-            /* An intersection one of whose members has nothing ahead is done with. */
-            if (!inside && !object->program_count && s.keep && !(s.lo < s.hi && s.hi >= from)) return 0;
-        } while (++i < count);
+    if (!alone) {
         if (object_holds(world, object, spans, from, doubt) != inside) {
             *crossing = crossing_here(world, line, nearest_face(spans, count, from, doubt, !inside), place);
             return 1;
@@ -285,7 +299,7 @@ static inline int object_crossing(World* world, __global const LayoutObject* obj
         return 1;
     }
 #endif
-    const Span s = group_span(world, world->groups[object->group_begin], line);
+    const Span s = spans[0];
     const int at_lo = s.keep == !inside;
     crossing->at = at_lo ? s.lo : s.hi;
     crossing->slope = at_lo ? s.slope_lo : s.slope_hi;
@@ -306,16 +320,13 @@ static inline int object_crossing(World* world, __global const LayoutObject* obj
 static inline int object_holds_start(const World* world, __global const LayoutObject* object, const Line* line)
 {
     const real doubt = place_error(line, line->start, line->err);
+    Span spans[CLU_GROUP_CAPACITY];
+    for (u32 i = 0; i < object->group_count; i++)
+        spans[i] = group_span(world, world->groups[object->group_begin + i], line);
 #ifdef CLU_GROUPS
-    if (object->group_count > 1 || object->program_count) {
-        Span spans[CLU_GROUP_CAPACITY];
-        for (u32 i = 0; i < object->group_count; i++)
-            spans[i] = group_span(world, world->groups[object->group_begin + i], line);
-        return object_holds(world, object, spans, line->start, doubt);
-    }
+    if (object->group_count > 1 || object->program_count) return object_holds(world, object, spans, line->start, doubt);
 #endif
-    const Span s = group_span(world, world->groups[object->group_begin], line);
-    return span_holds(&s, line->start, doubt);
+    return span_holds(&spans[0], line->start, doubt);
 }
 
 #endif

@@ -55,53 +55,48 @@ static inline int interface_leaves(const Interface* face, const Interior* interi
     return 1;
 }
 
-/* Looks for the object's crossing from place on, and adds it to the interface if it belongs there. */
-static inline void interface_try(World* world, u32 id, const Line* line, Place place, Interface* face)
-{
-    Crossing crossing;
-    COUNT(world, STAT_TESTS);
-    if (object_crossing(world, &world->objects[id], line, place, &crossing)) interface_add(face, id, crossing);
-}
-
-/* Where objects are left together, one may be entered again before rounding can tell, and no gap is seen then: it
- * counts twice. */
-static inline void interface_again(World* world, const Ray* ray, real x, real err, Interface* face)
-{
-    const u32 count = face->count;
-    for (u32 i = 0; i < count; i++) {
-        const u32 id = face->ids[i];
-        __global const LayoutObject* object = &world->objects[id];
-        const Line line = make_line(ray, object);
-        Place place = place_at(&line, x, err, 0);
-        if (face->crossings[i].t > x) place.err = R(0);
-        place.t = face->crossings[i].t;
-        place.at = face->crossings[i].at;
-        Crossing crossing;
-        COUNT(world, STAT_TESTS);
-        if (object_crossing(world, object, &line, place, &crossing) && crossing.t > place.t)
-            interface_add(face, id, crossing);
-    }
-}
-
 /* The nearest crossing of any object from ray parameter x on, and those that rounding cannot tell from it. Returns 0 if
- * there is none. */
+ * there is none. Objects that are left together are looked at again from there: one may be entered anew before rounding
+ * can tell, and no gap is seen then: it counts twice. */
 static inline int nearest_interface(World* world, const Ray* ray, real x, real err, const Interior* interior,
                                     Interface* face)
 {
+    u32 again = 0; /* how many are */
     face->t = INFINITE;
     face->count = 0;
     COUNT(world, STAT_QUERIES);
     Walk walk;
     walk_begin(&walk, ray);
     for (u32 i = 0;; i++) {
-        const int inside = i < interior->count;
-        const u32 id = inside ? interior->ids[i] : walk_next(&walk, world, x - err, face->t + err);
-        if (id == WALK_DONE) break;
-        if (!inside && interior_has(interior, id)) continue;
+        const int inside = !again && i < interior->count;
+        u32 id;
+        if (again) {
+            if (i == again) break;
+            id = face->ids[i];
+        } else {
+            id = inside ? interior->ids[i] : walk_next(&walk, world, x - err, face->t + err);
+            if (id == WALK_DONE) {
+                if (!interface_leaves(face, interior)) break;
+                again = face->count;
+                i = 0;
+                id = face->ids[0];
+            } else if (!inside && interior_has(interior, id)) {
+                continue;
+            }
+        }
+        COUNT(world, STAT_TESTS);
         const Line line = make_line(ray, &world->objects[id]);
-        interface_try(world, id, &line, place_at(&line, x, err, inside), face);
+        Place place = place_at(&line, x, err, inside);
+        if (again) {
+            const Crossing left = face->crossings[i];
+            place.t = left.t;
+            place.at = left.at;
+            if (left.t > x) place.err = R(0);
+        }
+        Crossing crossing;
+        if (object_crossing(world, &world->objects[id], &line, place, &crossing) && (!again || crossing.t > place.t))
+            interface_add(face, id, crossing);
     }
-    if (interface_leaves(face, interior)) interface_again(world, ray, x, err, face);
     return face->count > 0;
 }
 
