@@ -218,15 +218,15 @@ void leave_out_hopeless(ReportPart& part)
     std::erase_if(part.settings.contenders, hopeless);
 }
 
-std::vector<NamedPlot> plots_of(const ReportPart& part, SeriesStyles& styles, PlotUse use)
+std::vector<NamedPlot> plots_of(const ReportPart& part, DeviceColors& colors, PlotUse use)
 {
     switch (part.plots) {
-    case PartPlots::devices: return device_plots(part.results, styles, use);
-    case PartPlots::fronts: return front_plots(part.results, styles, use);
-    case PartPlots::scaling: return scaling_plots(part.results, styles, use);
+    case PartPlots::devices: return device_plots(part.results, colors, use);
+    case PartPlots::fronts: return front_plots(part.results, colors, use);
+    case PartPlots::scaling: return scaling_plots(part.results, colors, use);
     case PartPlots::objects: break;
     }
-    return {objects_plot(part.results, styles, use)};
+    return {objects_plot(part.results, colors, use)};
 }
 
 } // namespace clucida::bench

@@ -38,6 +38,6 @@ std::vector<ReportPart> report_parts(const ReportPlan& plan, const std::filesyst
 /// cannot compile the kernels may take minutes to tell.
 void leave_out_hopeless(ReportPart& part);
 
-std::vector<NamedPlot> plots_of(const ReportPart& part, SeriesStyles& styles, PlotUse use);
+std::vector<NamedPlot> plots_of(const ReportPart& part, DeviceColors& colors, PlotUse use);
 
 } // namespace clucida::bench

@@ -263,6 +263,9 @@ class Report(Case):
         self.assertIn("with-objects.svg", plots)
         for plot in plots:
             ElementTree.parse(self.path("out", plot))
+        for name in os.listdir(self.path("out")):
+            for folder in (self.folder, tempfile.gettempdir()):
+                self.assertNotIn(folder, self.read(os.path.join("out", name)), name)
         self.assertEqual(len(glob.glob(self.path("cache", "clucida", "calibration", "*.json"))), 1)
         again = self.bench("compare", os.path.join("out", "report.json"), os.path.join("out", "report.json")).stdout
         self.assertIn("0 became significantly faster and 0 slower", again)
