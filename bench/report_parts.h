@@ -30,8 +30,9 @@ struct ReportPart {
     std::vector<SceneSpeed> results = {}; ///< of each scene, once they are measured
 };
 
-/// Devices beside each other; settings of the first device, for fronts; threads, picture's sizes, samples and hops on a
-/// few scenes; fields of spheres, which are written into `folder`. @throws host::Failure
+/// Devices beside each other; settings of all devices, for fronts and calibrations; threads, picture's sizes, samples
+/// and hops of the first device on a few scenes; fields of spheres, which are written into `folder`. @throws
+/// host::Failure
 std::vector<ReportPart> report_parts(const ReportPlan& plan, const std::filesystem::path& folder);
 
 /// Takes those contenders out of the part that failed on its last two scenes, and says so in `what`: a device that

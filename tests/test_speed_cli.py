@@ -16,6 +16,7 @@ from bench_case import SCENE, glass_scene
 
 BENCH, CLUCIDA = (os.path.abspath(sys.argv.pop(1)) for _ in range(2))
 
+OPENCL = os.environ.get("CLUCIDA_DEVICE", "cpu")
 FIGURES = ("speed", "-s", "48x27", "--rounds", "2", "-q")
 
 
@@ -243,17 +244,22 @@ class MaxError(Case):
 
 
 class Report(Case):
+    def report(self, *arguments):
+        """By the native device first, which compiles nothing."""
+        self.bench("report", "--quick", "-q", "-o", "out", "--device", "native", *arguments)
+        report = json.loads(self.read(os.path.join("out", "report.json")))
+        failed = [b["error_message"] for b in report["benchmarks"] if "error_message" in b]
+        self.assertEqual(failed, [])
+        return report
+
     def test_it_holds_all_there_is(self):
         other = self.write("other.clu", SCENE.replace("1.5", "1.3"))
-        self.bench("report", "--quick", "-q", "-o", "out", "--device", "cpu", self.scene, other)
-        report = json.loads(self.read(os.path.join("out", "report.json")))
+        report = self.report(self.scene, other)
         self.assertGreater(len(report["context"]["devices"]), 0)
         names = [b["name"] for b in report["benchmarks"]]
         self.assertEqual(len(set(names)), len(names))
         parts = {name.split("/")[0] for name in names}
         self.assertLessEqual({"devices", "settings", "sizes", "rays", "objects"}, parts)
-        failed = [b["error_message"] for b in report["benchmarks"] if "error_message" in b]
-        self.assertEqual(failed, [])
         for b in report["benchmarks"]:
             self.assertTrue("rmse" in b or "settings_rmse" in b, b["name"])
         ElementTree.fromstring(self.read(os.path.join("out", "report.html")))
@@ -266,9 +272,19 @@ class Report(Case):
         for name in os.listdir(self.path("out")):
             for folder in (self.folder, tempfile.gettempdir()):
                 self.assertNotIn(folder, self.read(os.path.join("out", name)), name)
-        self.assertEqual(len(glob.glob(self.path("cache", "clucida", "calibration", "*.json"))), 1)
         again = self.bench("compare", os.path.join("out", "report.json"), os.path.join("out", "report.json")).stdout
         self.assertIn("0 became significantly faster and 0 slower", again)
+
+    def test_it_calibrates_all_its_devices(self):
+        self.report("--device", OPENCL, self.scene)
+        calibrations = [json.loads(self.read(file))
+                        for file in glob.glob(self.path("cache", "clucida", "calibration", "*.json"))]  # fmt: skip
+        self.assertEqual(len(calibrations), 2)
+        native, other = sorted(calibrations, key=lambda c: not c["device"].startswith("native"))
+        settings = [{(r["precision"], r["samples"], r["max_hops"], r["cutoff"]) for r in c["records"]}
+                    for c in (native, other)]  # fmt: skip
+        self.assertGreaterEqual(len(settings[1]), 8)
+        self.assertLessEqual(settings[1], settings[0])
 
     def test_scenes_are_found_or_missed(self):
         self.assertIn("no scene is given", self.bench("report", "--quick", code=2).stderr)
