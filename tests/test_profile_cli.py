@@ -11,6 +11,9 @@ from bench_case import glass_scene
 
 PROGRAM = os.path.abspath(sys.argv.pop(1))
 
+# That of packets takes twice as long to compile: scripts/nightly takes it.
+KERNEL = os.environ.get("CLUCIDA_TEST_KERNEL", "pixels")
+
 FAULTS = ("parity", "nan", "interior_overflow", "stack_overflow", "stuck")
 WIDTH, HEIGHT = 64, 36
 
@@ -26,7 +29,8 @@ class Profile(unittest.TestCase):
         if path is not None:
             environment["PATH"] = path
         done = subprocess.run(
-            [PROGRAM, "profile", *arguments, "-s", f"{WIDTH}x{HEIGHT}", "--executed-size", "48x27", "--rounds", "2", "-q"],
+            [PROGRAM, "profile", *arguments, "-s", f"{WIDTH}x{HEIGHT}", "--executed-size", "48x27", "--rounds", "2", "-q",
+             "--kernel", KERNEL],
             capture_output=True, text=True, check=False, env=environment,
         )  # fmt: skip
         self.assertEqual(done.returncode, code, done.stderr)
