@@ -19,23 +19,13 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* title = "Speed and error on this computer";
 
-const char* kind_name(host::DeviceKind kind)
-{
-    switch (kind) {
-    case host::DeviceKind::cpu: return "CPU";
-    case host::DeviceKind::gpu: return "GPU";
-    case host::DeviceKind::other: break;
-    }
-    return "other";
-}
-
 Table device_table(const std::vector<host::DeviceInfo>& devices)
 {
     Table out{{"device", "name", "kind", "compute units", "double", "platform", "driver", "usable"},
               {false, false, false, true, false, false, false, false},
               {}};
     for (const host::DeviceInfo& d : devices)
-        out.rows.push_back({host::place(d), d.name, kind_name(d.kind), std::to_string(d.compute_units),
+        out.rows.push_back({host::place(d), d.name, host::kind_name(d.kind), std::to_string(d.compute_units),
                             d.has_double ? "yes" : "no",
                             d.native ? "-" : fmt::format("{}, {}", d.platform_name, d.platform_version), d.driver,
                             d.usable ? "yes" : "no"});
@@ -46,7 +36,7 @@ Json device_json(const host::DeviceInfo& d)
 {
     return {{"device", host::place(d)},
             {"name", d.name},
-            {"kind", kind_name(d.kind)},
+            {"kind", host::kind_name(d.kind)},
             {"compute_units", d.compute_units},
             {"global_bytes", d.global_bytes},
             {"double", d.has_double},
