@@ -6,9 +6,9 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <compare>
 #include <cstdio>
 #include <span>
+#include <tuple>
 
 namespace clucida::bench {
 
@@ -16,7 +16,8 @@ namespace clucida::bench {
 struct Way {
     host::Precision precision = host::Precision::single;
     host::KernelShape kernel = host::KernelShape::pixels;
-    auto operator<=>(const Way&) const = default;
+    bool operator==(const Way&) const = default;
+    bool operator<(const Way& b) const { return std::tie(precision, kernel) < std::tie(b.precision, b.kernel); }
 };
 
 /// A place's picture of a scene beside the first place's.

@@ -60,6 +60,7 @@ std::vector<SeriesStyle> styles_of(const std::vector<SeriesName>& names, DeviceC
     std::set<std::string, std::greater<>> settings; // float before double
     for (const SeriesName& name : names) settings.insert(name.setting);
     std::vector<SeriesStyle> out;
+    out.reserve(names.size());
     for (const SeriesName& name : names)
         out.push_back({colors.of(name.device),
                        static_cast<unsigned>(std::distance(settings.begin(), settings.find(name.setting)))});

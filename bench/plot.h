@@ -1,9 +1,9 @@
 /// Plots as SVG: small, without scripts or fonts from elsewhere, to be read on light and dark, by the colour-blind too.
 #pragma once
 
-#include <compare>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace clucida::bench {
@@ -11,7 +11,8 @@ namespace clucida::bench {
 /// What a series is of: a device, and how it was used.
 struct SeriesName {
     std::string device, setting = {};
-    auto operator<=>(const SeriesName&) const = default;
+    bool operator==(const SeriesName&) const = default;
+    bool operator<(const SeriesName& b) const { return std::tie(device, setting) < std::tie(b.device, b.setting); }
 };
 
 /// A device has the same colour in all plots. Within a plot a series' setting, by its place among those of the plot,
