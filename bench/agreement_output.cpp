@@ -18,11 +18,12 @@ struct Row {
     const SceneAgreement* first;
     Agreement agreement;
     std::size_t scenes = 0, failed = 0;
+    std::string failure = {}; ///< the last
 };
 
 bool same_row(const SceneAgreement& a, const SceneAgreement& b)
 {
-    return a.place == b.place && a.way.precision == b.way.precision && a.way.kernel == b.way.kernel;
+    return a.place == b.place && a.way == b.way;
 }
 
 std::vector<Row> rows_of(std::span<const SceneAgreement> results)
@@ -34,6 +35,7 @@ std::vector<Row> rows_of(std::span<const SceneAgreement> results)
         if (row == rows.end()) row = rows.insert(rows.end(), Row{&r, {}});
         row->scenes++;
         row->failed += !r.failure.empty();
+        if (!r.failure.empty()) row->failure = r.failure;
         row->agreement = united(row->agreement, r.agreement);
     }
     return rows;
@@ -42,6 +44,13 @@ std::vector<Row> rows_of(std::span<const SceneAgreement> results)
 double equal_share(const Agreement& a)
 {
     return a.values ? static_cast<double>(a.equal) / static_cast<double>(a.values) : 0;
+}
+
+/// Without the place, which stands beside it.
+std::string failure_cell(const Row& row)
+{
+    const std::string place = row.first->place + ": ";
+    return brief(row.failure.starts_with(place) ? row.failure.substr(place.size()) : row.failure);
 }
 
 std::string worth_telling(const SceneAgreement& r)
@@ -70,10 +79,14 @@ void print_agreement(std::FILE* to, std::span<const SceneAgreement> results, hos
                    "|---|---|---|---:|---:|---:|---:|---:|---:|---:|---:|\n");
     for (const Row& row : rows_of(results)) {
         const Agreement& a = row.agreement;
-        fmt::print(to, "| {} | {} | {} | {} | {} | {:.4f} % | {} | {} | {} | {} | {} |\n", row.first->place,
-                   precision_name(row.first->way.precision), kernel_name(row.first->way.kernel), row.scenes, row.failed,
-                   100 * equal_share(a), a.most_ulps, a.most_steps, a.over,
-                   a.paths ? fmt::format("{:.1f}", flips_per_million(a)) : "-",
+        fmt::print(to, "| {} | {} | {} | {} | {} ", row.first->place, precision_name(row.first->way.precision),
+                   kernel_name(row.first->way.kernel), row.scenes, row.failed);
+        if (row.failed == row.scenes) {
+            fmt::print(to, "| {} | - | - | - | - | - |\n", failure_cell(row));
+            continue;
+        }
+        fmt::print(to, "| {:.4f} % | {} | {} | {} | {} | {} |\n", 100 * equal_share(a), a.most_ulps, a.most_steps,
+                   a.over, a.paths ? fmt::format("{:.1f}", flips_per_million(a)) : "-",
                    a.paths ? fmt::format("{}", a.other) : "-");
     }
     if (results.empty()) return;

@@ -8,6 +8,7 @@
 
 #include <cstdio>
 #include <span>
+#include <tuple>
 
 namespace clucida::bench {
 
@@ -15,6 +16,8 @@ namespace clucida::bench {
 struct Way {
     host::Precision precision = host::Precision::single;
     host::KernelShape kernel = host::KernelShape::pixels;
+    bool operator==(const Way&) const = default;
+    bool operator<(const Way& b) const { return std::tie(precision, kernel) < std::tie(b.precision, b.kernel); }
 };
 
 /// A place's picture of a scene beside the first place's.
@@ -29,8 +32,8 @@ struct SceneAgreement {
 /// Pixels whose paths differ, of a million.
 double flips_per_million(const Agreement& agreement);
 
-/// A row for each place and way, over all scenes; beneath it every scene of which a pixel's path or a value differs by
-/// more than one 8-bit step, faults and failures.
+/// A row for each place and way, over all scenes, with the last failure if it has no picture; beneath them every scene
+/// of which a pixel's path or a value differs by more than one 8-bit step, faults and failures.
 void print_agreement(std::FILE* to, std::span<const SceneAgreement> results, host::Shape size);
 
 /// In Google Benchmark's shape: "context" and "benchmarks".

@@ -22,6 +22,7 @@ struct AgreementOptions {
     std::vector<std::string> scenes, places, precisions{"float"}, kernels{"pixels"};
     std::string allow_path, size = "160x90", json;
     unsigned samples = 1;
+    double seconds = 600;
     std::optional<double> most_flips;
     std::optional<unsigned> most_steps;
     bool quiet = false;
@@ -42,6 +43,7 @@ struct Worker {
     Place place;
     std::unique_ptr<WorkerProcess> process = nullptr;
     std::map<host::Precision, std::vector<std::uint32_t>> paths = {}; ///< of the scene at hand
+    std::map<Way, std::string> given_up = {};                         ///< what it took too long for: why
 };
 
 /// Whether there is a picture: else the device lacks the precision, or *out has the failure.
@@ -50,6 +52,10 @@ bool render(Worker& w, const std::string& scene, const Way& way, const Agreement
 {
     const host::Shape size = host::parse_picture_size(o.size);
     const bool known = w.paths.contains(way.precision);
+    if (const auto at = w.given_up.find(way); at != w.given_up.end()) {
+        out.failure = at->second;
+        return false;
+    }
     try {
         if (!w.process)
             w.process = std::make_unique<WorkerProcess>(w.place.name, "agreement-worker", w.place.environment);
@@ -61,7 +67,8 @@ bool render(Worker& w, const std::string& scene, const Way& way, const Agreement
                                                       {"device", w.place.selector},
                                                       {"double", way.precision == host::Precision::twofold},
                                                       {"packets", way.kernel == host::KernelShape::packets},
-                                                      {"paths", !known}});
+                                                      {"paths", !known}},
+                                                     o.seconds);
         out.device = answer.at("device").get<std::string>();
         if (!answer.contains("rgb")) return false;
         out.faults = answer.at("faults").get<std::string>();
@@ -70,6 +77,7 @@ bool render(Worker& w, const std::string& scene, const Way& way, const Agreement
         picture.paths = w.paths[way.precision];
         return true;
     } catch (const host::Failure& e) {
+        if (dynamic_cast<const TookTooLong*>(&e)) w.given_up[way] = e.what();
         w.process.reset();
         out.failure = e.what();
         return false;
@@ -152,6 +160,13 @@ void add_agreement(CLI::App& app)
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->option_text("'[NAME=VALUE ...] WHICH'");
+    command
+        ->add_option("--seconds", o.seconds,
+                     "that a device may take for a picture, compiling included; then its process is ended, and the "
+                     "kernel and precision are tried on no further scene. 0: no end")
+        ->check(host::number_within(0, 1e6))
+        ->option_text("S")
+        ->capture_default_str();
     command->add_option("--precision", o.precisions, "float, double: --precision float,double")
         ->delimiter(',')
         ->check(CLI::IsMember({"float", "double"}))

@@ -57,8 +57,8 @@ void write_outputs(const SpeedOptions& o, const std::vector<SceneSpeed>& results
     if (!o.csv.empty()) host::write_file(o.csv, benchmarks_csv(json));
     if (!o.html.empty()) host::write_file(o.html, speed_page(results, settings, load));
     if (o.svg.empty()) return;
-    SeriesStyles styles;
-    write_plots(o.svg, speed_plots(results, styles, PlotUse::file));
+    DeviceColors colors;
+    write_plots(o.svg, speed_plots(results, colors, PlotUse::file));
 }
 
 void run(const SpeedOptions& o)

@@ -43,8 +43,7 @@ void measure_rest(const host::SceneOptions& scene, const scene::View& view, cons
         upload.push_back(frame.timings.upload);
         empty_launch.push_back(frame.timings.first_enqueue);
         way_back.push_back(frame.timings.trace - frame.timings.kernels);
-        costs.scene_bytes = 0;
-        for (const scene::Bytes& bytes : compiled.buffers.bytes) costs.scene_bytes += bytes.size();
+        costs.scene_bytes = scene::byte_count(compiled.buffers);
     }
     costs.read = median(read);
     costs.compile = median(compile);

@@ -11,6 +11,7 @@ constexpr const char* page_style =
     "body { font: 15px/1.5 system-ui, sans-serif; margin: 2em auto; padding: 0 1em; max-width: 60em; "
     "color: #1f2328; background: #ffffff }\n"
     "h1, h2, h3 { line-height: 1.25 }\n"
+    "ul { padding-left: 1.3em }\n"
     ".wide { overflow-x: auto }\n"
     "table { border-collapse: collapse; font-size: 12px; white-space: nowrap }\n"
     "th, td { padding: 3px 8px; border-bottom: 1px solid #d1d9e0; text-align: left }\n"
@@ -19,6 +20,21 @@ constexpr const char* page_style =
     "body { color: #e6edf3; background: #15191f }\n"
     "th, td { border-color: #3d444d }\n"
     "}\n";
+
+std::string with_code(const std::string& text)
+{
+    std::string out;
+    bool in_code = false;
+    for (const char c : xml_text(text)) {
+        if (c != '`') {
+            out += c;
+            continue;
+        }
+        out += in_code ? "</code>" : "<code>";
+        in_code = !in_code;
+    }
+    return in_code ? out + "</code>" : out;
+}
 
 } // namespace
 
@@ -37,7 +53,20 @@ std::string html_heading(unsigned level, const std::string& text)
 
 std::string html_paragraph(const std::string& text)
 {
-    return fmt::format("<p>{}</p>\n", xml_text(text));
+    return fmt::format("<p>{}</p>\n", with_code(text));
+}
+
+std::string html_notes(const std::vector<std::string>& notes)
+{
+    std::string out;
+    bool in_list = false;
+    for (const std::string& note : notes) {
+        const bool is_item = note.starts_with("- ");
+        if (is_item != in_list) out += is_item ? "<ul>\n" : "</ul>\n";
+        in_list = is_item;
+        out += is_item ? fmt::format("<li>{}</li>\n", with_code(note.substr(2))) : html_paragraph(note);
+    }
+    return in_list ? out + "</ul>\n" : out;
 }
 
 std::string html_table(const Table& table)

@@ -80,11 +80,7 @@ void measure(const std::string& file, const Options& o)
         host::compile_scene(host::load_scene({file, "", "", false}), {size.width, size.height, 1, {}, {}, {}});
     check(compiled.needs);
     NativeScene scene{};
-    std::size_t bytes = 0;
-    for (std::size_t i = 0; i < BUFFER_COUNT; i++) {
-        scene.buffers[i] = compiled.buffers.bytes[i].data();
-        bytes += compiled.buffers.bytes[i].size();
-    }
+    for (std::size_t i = 0; i < BUFFER_COUNT; i++) scene.buffers[i] = compiled.buffers.bytes[i].data();
     std::vector<double> cold, warm;
     Picture p;
     for (unsigned round = 0; round < o.rounds; round++) {
@@ -95,7 +91,7 @@ void measure(const std::string& file, const Options& o)
     const double pixels = static_cast<double>(size.width) * size.height;
     const double rays = p.stats[STAT_RAYS] + p.stats[STAT_SHADOW];
     fmt::print("| {} | {:.1f} | {:.2f} | {:.2f} | {:.1f} | {:.2f} | {:.2f} | {:.0f} | {} |\n",
-               compiled.buffers.bytes[BUFFER_OBJECTS].size() / sizeof(LayoutObject), static_cast<double>(bytes) * 1e-6,
+               scene::object_count(compiled.buffers), static_cast<double>(scene::byte_count(compiled.buffers)) * 1e-6,
                rays / pixels, p.stats[STAT_TESTS] / rays, static_cast<double>(p.nodes) / rays,
                1e6 * median(cold) / pixels, 1e6 * median(warm) / pixels, 1e9 * median(cold) / rays,
                p.stats[STAT_PARITY]);

@@ -43,7 +43,7 @@ void begin(Subject& s, SceneProfile& out)
     s.render.kernel = frame.kernel;
     out.kernel = frame.kernel;
     out.counted = frame.statistics;
-    out.objects = s.compiled.buffers.bytes[BUFFER_OBJECTS].size() / sizeof(LayoutObject);
+    out.objects = scene::object_count(s.compiled.buffers);
     out.coordinate_bytes = coordinate_bytes(s.compiled.buffers);
     out.node_bytes = s.compiled.buffers.bytes[BUFFER_NODES].size();
 }

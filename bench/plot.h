@@ -3,18 +3,27 @@
 
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace clucida::bench {
 
-/// What series of one name look like wherever they are drawn: a number for the colour and the marker.
-class SeriesStyles {
+/// What a series is of: a device, and how it was used.
+struct SeriesName {
+    std::string device, setting = {};
+    bool operator==(const SeriesName&) const = default;
+    bool operator<(const SeriesName& b) const { return std::tie(device, setting) < std::tie(b.device, b.setting); }
+};
+
+/// A device has the same colour in all plots. Within a plot a series' setting, by its place among those of the plot,
+/// tells its markers, its dashes and how full its bars are.
+class DeviceColors {
 public:
-    /// The number of the name: as it was, or the next.
-    unsigned of(const std::string& name);
+    /// The colour's number: as it was, or the next.
+    unsigned of(const std::string& device);
 
 private:
-    std::vector<std::string> names_;
+    std::vector<std::string> devices_;
 };
 
 enum class Scale { linear, logarithmic };
@@ -30,7 +39,7 @@ struct PlotPoint {
 };
 
 struct Series {
-    std::string name;
+    SeriesName name;
     std::vector<PlotPoint> points;
     bool is_joined = true; ///< by lines, in their order
 };
@@ -54,13 +63,13 @@ struct BarGroup {
 struct BarPlot {
     std::string title;
     std::string axis; ///< with its unit
-    std::vector<std::string> series;
+    std::vector<SeriesName> series;
     std::vector<BarGroup> groups;
 };
 
 /// An <svg> element; a file of its own if it is standalone, else part of a page that has plot_style().
-std::string svg_of(const Plot& plot, SeriesStyles& styles, bool is_standalone);
-std::string svg_of(const BarPlot& plot, SeriesStyles& styles, bool is_standalone);
+std::string svg_of(const Plot& plot, DeviceColors& colors, bool is_standalone);
+std::string svg_of(const BarPlot& plot, DeviceColors& colors, bool is_standalone);
 
 /// The style sheet of plots.
 std::string plot_style();

@@ -38,6 +38,11 @@ AxisRange::AxisRange(Scale scale, const std::vector<double>& values) : scale_(sc
         choose_linear(least, most);
     else
         choose_logarithmic(least, most);
+    const auto is_whole = [](double value) { return std::floor(value) == value; };
+    if (std::ranges::all_of(values, is_whole)) // of what is counted there are no parts
+        for (auto* const some : {&ticks_, &fine_})
+            if (std::ranges::any_of(*some, is_whole))
+                std::erase_if(*some, [&](double tick) { return !is_whole(tick); });
 }
 
 void AxisRange::choose_linear(double least, double most)

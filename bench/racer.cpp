@@ -122,8 +122,8 @@ Racer make_racer(const SpeedTask& task)
     const auto views = std::make_shared<CompiledViews>(task);
     Racer out = is_native(task.contender) ? native_racer(task, views) : opencl_racer(task, views);
     const scene::Buffers& buffers = views->at(task.contender.view).buffers;
-    out.objects = buffers.bytes[BUFFER_OBJECTS].size() / sizeof(LayoutObject);
-    for (const scene::Bytes& bytes : buffers.bytes) out.scene_bytes += bytes.size();
+    out.objects = scene::object_count(buffers);
+    out.scene_bytes = scene::byte_count(buffers);
     return out;
 }
 

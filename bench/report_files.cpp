@@ -19,25 +19,16 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* title = "Speed and error on this computer";
 
-const char* kind_name(host::DeviceKind kind)
-{
-    switch (kind) {
-    case host::DeviceKind::cpu: return "CPU";
-    case host::DeviceKind::gpu: return "GPU";
-    case host::DeviceKind::other: break;
-    }
-    return "other";
-}
-
 Table device_table(const std::vector<host::DeviceInfo>& devices)
 {
     Table out{{"device", "name", "kind", "compute units", "double", "platform", "driver", "usable"},
               {false, false, false, true, false, false, false, false},
               {}};
     for (const host::DeviceInfo& d : devices)
-        out.rows.push_back({host::place(d), d.name, kind_name(d.kind), std::to_string(d.compute_units),
-                            d.has_double ? "yes" : "no", fmt::format("{}, {}", d.platform_name, d.platform_version),
-                            d.driver, d.usable ? "yes" : "no"});
+        out.rows.push_back({host::place(d), d.name, host::kind_name(d.kind), std::to_string(d.compute_units),
+                            d.has_double ? "yes" : "no",
+                            d.native ? "-" : fmt::format("{}, {}", d.platform_name, d.platform_version), d.driver,
+                            d.usable ? "yes" : "no"});
     return out;
 }
 
@@ -45,7 +36,7 @@ Json device_json(const host::DeviceInfo& d)
 {
     return {{"device", host::place(d)},
             {"name", d.name},
-            {"kind", kind_name(d.kind)},
+            {"kind", host::kind_name(d.kind)},
             {"compute_units", d.compute_units},
             {"global_bytes", d.global_bytes},
             {"double", d.has_double},
@@ -68,14 +59,13 @@ Table table_of(const ReportPart& part)
     return out;
 }
 
-std::string part_html(const ReportPart& part, const Load& load, SeriesStyles& styles)
+std::string part_html(const ReportPart& part, const Load& load, DeviceColors& colors)
 {
     std::string out = html_heading(2, part.title) + html_paragraph(part.what);
-    for (const NamedPlot& plot : plots_of(part, styles, PlotUse::page)) out += plot.svg;
+    for (const NamedPlot& plot : plots_of(part, colors, PlotUse::page)) out += plot.svg;
     if (part.plots == PartPlots::fronts) out += html_table(recommendation_table(part.results, recommended_errors));
     out += html_table(table_of(part));
-    for (const std::string& note : speed_notes(part.results, part.settings, load)) out += html_paragraph(note);
-    return out;
+    return out + html_notes(speed_notes(part.results, part.settings, load));
 }
 
 std::string markdown_table(const Table& table)
@@ -83,10 +73,10 @@ std::string markdown_table(const Table& table)
     return fmt::format("{}{}\n", markdown_head(table), markdown_rows(table));
 }
 
-std::string part_markdown(const ReportPart& part, const Load& load, SeriesStyles& styles)
+std::string part_markdown(const ReportPart& part, const Load& load, DeviceColors& colors)
 {
     std::string out = fmt::format("## {}\n{}\n\n", part.title, part.what);
-    for (const NamedPlot& plot : plots_of(part, styles, PlotUse::file))
+    for (const NamedPlot& plot : plots_of(part, colors, PlotUse::file))
         out += fmt::format("![{0}]({0}.svg)\n\n", plot.name);
     if (part.plots == PartPlots::fronts) out += markdown_table(recommendation_table(part.results, recommended_errors));
     out += markdown_table(table_of(part));
@@ -101,19 +91,19 @@ std::string introduction()
 
 std::string page_of(const Report& report)
 {
-    SeriesStyles styles;
+    DeviceColors colors;
     std::string body =
         html_heading(1, title) + html_paragraph(introduction()) + html_table(device_table(report.devices));
-    for (const ReportPart& part : report.parts) body += part_html(part, report.load, styles);
+    for (const ReportPart& part : report.parts) body += part_html(part, report.load, colors);
     return html_page(title, body);
 }
 
 std::string markdown_of(const Report& report)
 {
-    SeriesStyles styles;
+    DeviceColors colors;
     std::string out =
         fmt::format("# {}\n{}\n\n{}", title, introduction(), markdown_table(device_table(report.devices)));
-    for (const ReportPart& part : report.parts) out += part_markdown(part, report.load, styles);
+    for (const ReportPart& part : report.parts) out += part_markdown(part, report.load, colors);
     return out;
 }
 
@@ -138,8 +128,8 @@ Json report_json(const Report& report)
 
 void write_report(const std::filesystem::path& folder, const Report& report)
 {
-    SeriesStyles styles;
-    for (const ReportPart& part : report.parts) write_plots(folder, plots_of(part, styles, PlotUse::file));
+    DeviceColors colors;
+    for (const ReportPart& part : report.parts) write_plots(folder, plots_of(part, colors, PlotUse::file));
     write_json((folder / "report.json").string(), report_json(report));
     host::write_file(folder / "report.md", markdown_of(report));
     host::write_file(folder / "report.html", page_of(report));

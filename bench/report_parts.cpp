@@ -96,17 +96,20 @@ ReportPart fronts_part(const ReportPlan& plan)
     ReportPart out{
         "settings",
         "Settings: time and error",
-        "What samples, hops, cutoff and precision cost and gain on the first device. A point of the front is "
-        "one that no other betters in both time and error.",
+        "What samples, hops, cutoff and precision cost and gain on each device. A point of the front is one that no "
+        "other betters in both time and error.",
         PartPlots::fronts,
         base_settings(plan),
         plan.scenes};
     SpeedAxes axes = base_axes(plan);
-    axes.precisions = precisions_of(plan.devices.front());
     axes.samples = plan.quick ? std::vector{1U, 4U} : std::vector{1U, 4U, 16U};
     axes.max_hops = {std::nullopt, 4U};
     axes.cutoffs = {std::nullopt, 0.05};
-    out.settings.contenders = contenders_of(axes);
+    for (const host::DeviceInfo& device : plan.devices) {
+        axes.devices = {device};
+        axes.precisions = precisions_of(device);
+        for (SpeedContender& c : contenders_of(axes)) out.settings.contenders.push_back(std::move(c));
+    }
     out.settings.error = ErrorFrom::none;
     out.settings.settings_error = true;
     return out;
@@ -199,7 +202,8 @@ std::vector<ReportPart> report_parts(const ReportPlan& plan, const std::filesyst
 {
     std::vector<ReportPart> out{devices_part(plan), fronts_part(plan)};
     const host::DeviceInfo& device = plan.devices.front();
-    if (device.kind == host::DeviceKind::cpu && device.compute_units > 1) out.push_back(threads_part(plan));
+    const bool has_limits = device.kind == host::DeviceKind::cpu && !device.native; // the native device takes all
+    if (has_limits && device.compute_units > 1) out.push_back(threads_part(plan));
     out.push_back(sizes_part(plan));
     out.push_back(rays_part(plan));
     out.push_back(objects_part(plan, folder));
@@ -218,15 +222,15 @@ void leave_out_hopeless(ReportPart& part)
     std::erase_if(part.settings.contenders, hopeless);
 }
 
-std::vector<NamedPlot> plots_of(const ReportPart& part, SeriesStyles& styles, PlotUse use)
+std::vector<NamedPlot> plots_of(const ReportPart& part, DeviceColors& colors, PlotUse use)
 {
     switch (part.plots) {
-    case PartPlots::devices: return device_plots(part.results, styles, use);
-    case PartPlots::fronts: return front_plots(part.results, styles, use);
-    case PartPlots::scaling: return scaling_plots(part.results, styles, use);
+    case PartPlots::devices: return device_plots(part.results, colors, use);
+    case PartPlots::fronts: return front_plots(part.results, colors, use);
+    case PartPlots::scaling: return scaling_plots(part.results, colors, use);
     case PartPlots::objects: break;
     }
-    return {objects_plot(part.results, styles, use)};
+    return {objects_plot(part.results, colors, use)};
 }
 
 } // namespace clucida::bench

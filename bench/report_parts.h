@@ -30,14 +30,15 @@ struct ReportPart {
     std::vector<SceneSpeed> results = {}; ///< of each scene, once they are measured
 };
 
-/// Devices beside each other; settings of the first device, for fronts; threads, picture's sizes, samples and hops on a
-/// few scenes; fields of spheres, which are written into `folder`. @throws host::Failure
+/// Devices beside each other; settings of all devices, for fronts and calibrations; threads, picture's sizes, samples
+/// and hops of the first device on a few scenes; fields of spheres, which are written into `folder`. @throws
+/// host::Failure
 std::vector<ReportPart> report_parts(const ReportPlan& plan, const std::filesystem::path& folder);
 
 /// Takes those contenders out of the part that failed on its last two scenes, and says so in `what`: a device that
 /// cannot compile the kernels may take minutes to tell.
 void leave_out_hopeless(ReportPart& part);
 
-std::vector<NamedPlot> plots_of(const ReportPart& part, SeriesStyles& styles, PlotUse use);
+std::vector<NamedPlot> plots_of(const ReportPart& part, DeviceColors& colors, PlotUse use);
 
 } // namespace clucida::bench

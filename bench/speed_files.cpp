@@ -11,16 +11,16 @@ namespace clucida::bench {
 
 std::string speed_page(std::span<const SceneSpeed> results, const SpeedSettings& settings, const Load& load)
 {
-    SeriesStyles styles;
+    DeviceColors colors;
     std::string body = html_heading(1, "Speed and error");
-    for (const NamedPlot& plot : speed_plots(results, styles, PlotUse::page)) body += plot.svg;
+    for (const NamedPlot& plot : speed_plots(results, colors, PlotUse::page)) body += plot.svg;
     if (const Table table = recommendation_table(results, recommended_errors); !table.rows.empty())
         body += html_heading(2, "Fastest settings") + html_table(table);
     body += html_heading(2, "Figures");
     for (const SceneSpeed& scene : results)
         body += html_heading(3, scene.name) + html_table(speed_table(scene, settings));
     body += html_heading(2, "What they are");
-    for (const std::string& note : speed_notes(results, settings, load)) body += html_paragraph(note);
+    body += html_notes(speed_notes(results, settings, load));
     return html_page("clucida: speed and error", body);
 }
 

@@ -20,10 +20,11 @@ bool was_measured(const SpeedReport& r)
     return r.failure.empty() && !r.real.empty();
 }
 
-std::string series_name(const SpeedReport& r)
+SeriesName series_name(const SpeedReport& r)
 {
-    const std::string out = fmt::format("{} {}", device_name(r), precision_name(r.contender.precision));
-    return r.contender.kernel ? fmt::format("{} {}", out, kernel_name(r.contender.kernel)) : out;
+    const std::string precision = precision_name(r.contender.precision);
+    const auto& kernel = r.contender.kernel;
+    return {device_name(r), kernel ? fmt::format("{} {}", precision, kernel_name(kernel)) : precision};
 }
 
 /// "gems.clu" as a part of a file's name.
@@ -36,7 +37,7 @@ std::string file_part(const std::string& text)
 }
 
 /// The series of that name, added if there is none.
-Series& series_of(std::vector<Series>& all, const std::string& name, bool is_joined)
+Series& series_of(std::vector<Series>& all, const SeriesName& name, bool is_joined)
 {
     const auto at = std::ranges::find(all, name, &Series::name);
     if (at != all.end()) return *at;
@@ -46,9 +47,10 @@ Series& series_of(std::vector<Series>& all, const std::string& name, bool is_joi
 std::string note_of(const SpeedReport& r, double error)
 {
     const SpeedContender& c = r.contender;
-    return fmt::format("{}, {} samples, hops {}, cutoff {}{}: {:.3g} ms, RMSE {:.1e}", series_name(r), c.view.samples,
-                       hops_name(c.view), cutoff_name(c.view), c.threads ? fmt::format(", {} threads", c.threads) : "",
-                       1e3 * median(r.real), error);
+    const SeriesName name = series_name(r);
+    return fmt::format("{} {}, {} samples, hops {}, cutoff {}{}: {:.3g} ms, RMSE {:.1e}", name.device, name.setting,
+                       c.view.samples, hops_name(c.view), cutoff_name(c.view),
+                       c.threads ? fmt::format(", {} threads", c.threads) : "", 1e3 * median(r.real), error);
 }
 
 /// One of the axes that contenders may differ in.
@@ -103,11 +105,11 @@ using Curve = std::map<double, const SpeedReport*>;
 
 /// Of each series the scenes' curves along the axis. All else is as of the first contender, but for device, precision
 /// and kernel.
-std::map<std::string, std::vector<Curve>> curves_along(const ScalingAxis& axis, std::span<const SceneSpeed> results)
+std::map<SeriesName, std::vector<Curve>> curves_along(const ScalingAxis& axis, std::span<const SceneSpeed> results)
 {
-    std::map<std::string, std::vector<Curve>> out;
+    std::map<SeriesName, std::vector<Curve>> out;
     for (const SceneSpeed& scene : results) {
-        std::map<std::string, Curve> curves;
+        std::map<SeriesName, Curve> curves;
         for (const SpeedReport& r : scene.reports) {
             if (!was_measured(r) || axis.value(r) <= 0) continue;
             SpeedContender c = r.contender, base = scene.reports.front().contender;
@@ -144,7 +146,7 @@ std::vector<PlotPoint> mean_curve(const ScalingAxis& axis, const std::vector<Cur
 
 } // namespace
 
-std::vector<NamedPlot> front_plots(std::span<const SceneSpeed> results, SeriesStyles& styles, PlotUse use)
+std::vector<NamedPlot> front_plots(std::span<const SceneSpeed> results, DeviceColors& colors, PlotUse use)
 {
     std::vector<NamedPlot> out;
     for (const SceneSpeed& scene : results) {
@@ -164,12 +166,12 @@ std::vector<NamedPlot> front_plots(std::span<const SceneSpeed> results, SeriesSt
         }
         for (const auto& [size, plot] : by_size)
             out.push_back(
-                {fmt::format("front-{}-{}", file_part(scene.name), size), svg_of(plot, styles, use == PlotUse::file)});
+                {fmt::format("front-{}-{}", file_part(scene.name), size), svg_of(plot, colors, use == PlotUse::file)});
     }
     return out;
 }
 
-std::vector<NamedPlot> device_plots(std::span<const SceneSpeed> results, SeriesStyles& styles, PlotUse use)
+std::vector<NamedPlot> device_plots(std::span<const SceneSpeed> results, DeviceColors& colors, PlotUse use)
 {
     BarPlot plot{"Devices, precisions and kernels: time over the fastest's", "time over the scene's fastest", {}, {}};
     std::vector<std::vector<const SpeedReport*>> rows;
@@ -199,10 +201,10 @@ std::vector<NamedPlot> device_plots(std::span<const SceneSpeed> results, SeriesS
         }
         plot.groups.push_back(std::move(group));
     }
-    return {{"devices", svg_of(plot, styles, use == PlotUse::file)}};
+    return {{"devices", svg_of(plot, colors, use == PlotUse::file)}};
 }
 
-std::vector<NamedPlot> scaling_plots(std::span<const SceneSpeed> results, SeriesStyles& styles, PlotUse use)
+std::vector<NamedPlot> scaling_plots(std::span<const SceneSpeed> results, DeviceColors& colors, PlotUse use)
 {
     std::vector<NamedPlot> out;
     for (const ScalingAxis& axis : scaling_axes) {
@@ -212,12 +214,12 @@ std::vector<NamedPlot> scaling_plots(std::span<const SceneSpeed> results, Series
             if (s.points.size() > 1) plot.series.push_back(std::move(s));
         }
         if (!plot.series.empty())
-            out.push_back({std::string("with-") + axis.name, svg_of(plot, styles, use == PlotUse::file)});
+            out.push_back({std::string("with-") + axis.name, svg_of(plot, colors, use == PlotUse::file)});
     }
     return out;
 }
 
-NamedPlot objects_plot(std::span<const SceneSpeed> results, SeriesStyles& styles, PlotUse use)
+NamedPlot objects_plot(std::span<const SceneSpeed> results, DeviceColors& colors, PlotUse use)
 {
     Plot plot{"Time a pixel with the number of objects",
               {"objects", Scale::logarithmic},
@@ -230,14 +232,14 @@ NamedPlot objects_plot(std::span<const SceneSpeed> results, SeriesStyles& styles
                     .points.push_back({static_cast<double>(r.objects),
                                        1e9 * median(r.real) / static_cast<double>(host::area(r.contender.view.picture)),
                                        scene.name});
-    return {"with-objects", svg_of(plot, styles, use == PlotUse::file)};
+    return {"with-objects", svg_of(plot, colors, use == PlotUse::file)};
 }
 
-std::vector<NamedPlot> speed_plots(std::span<const SceneSpeed> results, SeriesStyles& styles, PlotUse use)
+std::vector<NamedPlot> speed_plots(std::span<const SceneSpeed> results, DeviceColors& colors, PlotUse use)
 {
-    std::vector<NamedPlot> out = device_plots(results, styles, use);
+    std::vector<NamedPlot> out = device_plots(results, colors, use);
     for (auto* const plots : {front_plots, scaling_plots})
-        for (NamedPlot& plot : plots(results, styles, use)) out.push_back(std::move(plot));
+        for (NamedPlot& plot : plots(results, colors, use)) out.push_back(std::move(plot));
     return out;
 }
 

@@ -19,7 +19,8 @@ Seat make_seat(const host::SceneOptions& scene, const SpeedSettings& settings, c
     out.task.contender = contender;
     out.task.native = settings.native;
     out.task.native.folder = folder;
-    out.name = fmt::format("{}, {}", scene.file, describe(contender));
+    // Reports tell it: they are to hold no paths.
+    out.name = fmt::format("{}, {}", std::filesystem::path(scene.file).filename().string(), describe(contender));
     out.most_opening = settings.most_opening;
     std::filesystem::create_directories(folder);
     out.environment = caches_in(folder);

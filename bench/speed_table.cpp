@@ -16,7 +16,6 @@ namespace clucida::bench {
 namespace {
 
 constexpr double quiet_share = 0.95; ///< of a processor; with less, others computed at the same time
-constexpr std::size_t longest_failure = 100;
 
 struct Column {
     std::string head;
@@ -106,14 +105,6 @@ void add_other_columns(Columns& to)
     add("cached", 2, [](R r) { return r.cached.first_launch; });
     add("scene KiB", 1, [](R r) { return static_cast<double>(r.scene_bytes) / 1024; });
     add("peak MiB", 0, [](R r) { return static_cast<double>(r.peak_bytes) * 0x1p-20; });
-}
-
-/// What went wrong, for a cell.
-std::string brief(const std::string& failure)
-{
-    std::string out = failure.substr(0, std::min(failure.find('\n'), longest_failure));
-    std::ranges::replace(out, '|', '/');
-    return out;
 }
 
 /// The least share of a processor that a contender of one thread had while it traced; 1 if there is none.

@@ -5,10 +5,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace clucida::bench {
 namespace {
 
-constexpr std::size_t longest_name = 22;
+constexpr std::size_t longest_name = 22, longest_failure = 100;
 
 } // namespace
 
@@ -65,6 +67,13 @@ std::string device_name(const SpeedReport& r)
     if (is_native(r.contender)) return "native-build";
     if (r.what.empty()) return r.contender.device;
     return r.what.size() > longest_name ? r.what.substr(0, longest_name - 3) + "..." : r.what;
+}
+
+std::string brief(const std::string& failure)
+{
+    std::string out = failure.substr(0, std::min(failure.find('\n'), longest_failure));
+    std::ranges::replace(out, '|', '/');
+    return out;
 }
 
 double rays_of(const SpeedReport& r)

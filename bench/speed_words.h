@@ -19,6 +19,9 @@ std::string thread_count(const SpeedReport& r);                   ///< "-" where
 /// cutoff, the local size. Tells reports of the same thing apart from others, also from run to run.
 std::string benchmark_name(const std::string& scene, const SpeedContender& c);
 
+/// What went wrong, for a cell of a table: the first line, not too much of it.
+std::string brief(const std::string& failure);
+
 /// "0:0 pthread-skylake-avx512" : the device's number and its name, cut short.
 std::string device_name(const SpeedReport& r);
 

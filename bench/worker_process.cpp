@@ -117,7 +117,7 @@ void WorkerProcess::give_up(double seconds)
 {
     ::kill(process_, SIGKILL);
     stop();
-    throw host::Failure(fmt::format("{}: the process that rendered it had no answer within {:g} s", name_, seconds));
+    throw TookTooLong(fmt::format("{}: took longer than {:g} s", name_, seconds));
 }
 
 std::string WorkerProcess::read_line(double most_seconds)

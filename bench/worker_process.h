@@ -2,10 +2,16 @@
 #pragma once
 
 #include "host/child_process.h"
+#include "host/errors.h"
 
 #include <nlohmann/json.hpp>
 
 namespace clucida::bench {
+
+/// A worker had no answer in time.
+struct TookTooLong : host::Failure {
+    using host::Failure::Failure;
+};
 
 /// Ends with the object, at the latest after a moment of grace.
 class WorkerProcess {
@@ -18,7 +24,7 @@ public:
 
     /// Waits for the answer; for so many seconds at most, unless 0, after which the worker is ended.
     /// @throws what the worker says went wrong (host::Failure, host::UsageError, host::Interrupted), host::Failure if
-    /// it died or had no answer in time, host::Interrupted
+    /// it died, TookTooLong, host::Interrupted
     nlohmann::json ask(const nlohmann::json& request, double most_seconds = 0);
 
 private:

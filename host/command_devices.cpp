@@ -17,16 +17,6 @@ struct DevicesOptions {
     std::string device;
 };
 
-const char* kind_name(DeviceKind kind)
-{
-    switch (kind) {
-    case DeviceKind::cpu: return "cpu";
-    case DeviceKind::gpu: return "gpu";
-    case DeviceKind::other: break;
-    }
-    return "other";
-}
-
 /// The self-test's finding as a word or sentence.
 std::string test(const Device& device)
 {

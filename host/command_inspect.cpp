@@ -31,19 +31,12 @@ std::vector<std::string> feature_list(const scene::Needs& needs)
     return out;
 }
 
-std::size_t total_bytes(const scene::Compiled& compiled)
-{
-    std::size_t out = 0;
-    for (const auto& bytes : compiled.buffers.bytes) out += bytes.size();
-    return out;
-}
-
 using Reports = std::vector<scene::ObjectReport>;
 
 double per_object(const scene::Compiled& compiled, const Reports& objects)
 {
     const auto count = static_cast<double>(std::max<std::size_t>(objects.size(), 1));
-    return static_cast<double>(total_bytes(compiled)) / count;
+    return static_cast<double>(scene::byte_count(compiled.buffers)) / count;
 }
 
 /// Objects made of the same kinds of primitives.
@@ -93,7 +86,7 @@ nlohmann::ordered_json to_json(const SceneSource& source, const scene::Compiled&
             {"interior_bound", compiled.interior_bound},
             {"options", scene::build_options(needs)},
             {"buffers", std::move(buffers)},
-            {"total_bytes", total_bytes(compiled)},
+            {"total_bytes", scene::byte_count(compiled.buffers)},
             {"bytes_per_object", per_object(compiled, reports)},
             {"kinds", std::move(kinds)}};
 }
@@ -137,7 +130,7 @@ void print(const SceneSource& source, const scene::Compiled& compiled, const Rep
     for (std::size_t i = 0; i < BUFFER_COUNT; ++i)
         if (!compiled.buffers.bytes[i].empty())
             fmt::print("{:<10} {:>12} bytes\n", buffer_names[i], compiled.buffers.bytes[i].size());
-    fmt::print("{:<10} {:>12} bytes, {:.1f} an object\n", "total", total_bytes(compiled),
+    fmt::print("{:<10} {:>12} bytes, {:.1f} an object\n", "total", scene::byte_count(compiled.buffers),
                per_object(compiled, objects));
 }
 

@@ -37,13 +37,6 @@ void report(const RenderOptions& o, const Output& output, const Frame& frame, co
     stream << j.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
 }
 
-std::size_t bytes_of(const scene::Compiled& compiled)
-{
-    std::size_t sum = 0;
-    for (const scene::Bytes& bytes : compiled.buffers.bytes) sum += bytes.size();
-    return sum;
-}
-
 /// One picture, whose rows go to the file as they come.
 void render_still(const RenderOptions& o, SceneSource source, const Output& output, const Stopwatch& total,
                   Stages stages)
@@ -58,7 +51,7 @@ void render_still(const RenderOptions& o, SceneSource source, const Output& outp
     source.scene = {}; // a million objects are some hundred MiB, which tracing need not keep
     source.text = {};
     std::string fingerprint;
-    if (output.file != "-" && (o.skip_existing || bytes_of(compiled) <= most_fingerprinted)) {
+    if (output.file != "-" && (o.skip_existing || scene::byte_count(compiled.buffers) <= most_fingerprinted)) {
         fingerprint = Fingerprints().of(frame_scene, settings.precision, StereoLayout::none, output.format, encoding);
         if (o.skip_existing && is_same_picture(output.file, fingerprint)) {
             if (!o.quiet) fmt::print(stderr, "{} is whole and would be the same, kept\n", output.file);

@@ -106,6 +106,16 @@ std::vector<std::size_t> choose_by_word(std::span<const DeviceInfo> devices, con
 
 } // namespace
 
+const char* kind_name(DeviceKind kind)
+{
+    switch (kind) {
+    case DeviceKind::cpu: return "cpu";
+    case DeviceKind::gpu: return "gpu";
+    case DeviceKind::other: break;
+    }
+    return "other";
+}
+
 std::string place(const DeviceInfo& device)
 {
     return device.native ? "native" : fmt::format("{}:{}", device.platform, device.device);

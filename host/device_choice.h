@@ -11,6 +11,8 @@ namespace clucida::host {
 
 enum class DeviceKind { cpu, gpu, other };
 
+const char* kind_name(DeviceKind kind); ///< "cpu", "gpu", "other"
+
 struct DeviceInfo {
     unsigned platform = 0, device = 0; ///< the P:D of selectors, counted as OpenCL lists them
     std::string platform_name, platform_vendor, platform_version;

@@ -3,7 +3,7 @@
 #include "host/atomic_file.h"
 #include "host/child_process.h"
 #include "host/errors.h"
-#include "host/picture_file.h"
+#include "host/file_ending.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -25,12 +25,9 @@
 namespace clucida::host {
 namespace {
 
-struct Ending {
-    std::string_view ending;
-    FilmFormat format;
-};
-constexpr Ending endings[] = {{"y4m", FilmFormat::y4m},   {"rgb", FilmFormat::rgb}, {"mp4", FilmFormat::mp4},
-                              {"webm", FilmFormat::webm}, {"gif", FilmFormat::gif}, {"mkv", FilmFormat::mkv}};
+constexpr FileEnding<FilmFormat> endings[] = {{"y4m", FilmFormat::y4m}, {"rgb", FilmFormat::rgb},
+                                              {"mp4", FilmFormat::mp4}, {"webm", FilmFormat::webm},
+                                              {"gif", FilmFormat::gif}, {"mkv", FilmFormat::mkv}};
 
 /// Bytes of 8-bit RGB as planes Y, Cb, Cr (ITU-R BT.709, limited range).
 std::string planes_of(std::span<const std::uint8_t> rgb)
@@ -77,17 +74,12 @@ bool is_streamed(FilmFormat format)
 
 std::optional<FilmFormat> film_format(std::string_view name)
 {
-    const std::string ending = lower_ending(name);
-    for (const Ending& e : endings)
-        if (e.ending == ending) return e.format;
-    return std::nullopt;
+    return format_of<FilmFormat>(name, endings);
 }
 
 std::string film_endings()
 {
-    std::string out;
-    for (const Ending& e : endings) out += fmt::format("{}{}", out.empty() ? "" : ", ", e.ending);
-    return out;
+    return listed<FilmFormat>(endings);
 }
 
 Rate rate_of(double fps)

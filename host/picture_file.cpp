@@ -1,48 +1,31 @@
 #include "host/picture_file.h"
 
 #include "host/errors.h"
+#include "host/file_ending.h"
 #include "host/picture_writer.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <climits>
 
 namespace clucida::host {
 namespace {
 
-struct Ending {
-    std::string_view ending;
-    FileFormat format;
-};
-constexpr Ending endings[] = {{"png", FileFormat::png}, {"jpg", FileFormat::jpeg}, {"jpeg", FileFormat::jpeg},
-                              {"hdr", FileFormat::hdr}, {"pfm", FileFormat::pfm},  {"ppm", FileFormat::ppm},
-                              {"pnm", FileFormat::ppm}};
+constexpr FileEnding<FileFormat> endings[] = {
+    {"png", FileFormat::png}, {"jpg", FileFormat::jpeg}, {"jpeg", FileFormat::jpeg}, {"hdr", FileFormat::hdr},
+    {"pfm", FileFormat::pfm}, {"ppm", FileFormat::ppm},  {"pnm", FileFormat::ppm}};
 
 } // namespace
 
-std::string lower_ending(std::string_view name)
-{
-    const auto dot = name.rfind('.');
-    std::string ending(dot == std::string_view::npos ? name : name.substr(dot + 1));
-    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return ending;
-}
-
 std::optional<FileFormat> file_format(std::string_view name)
 {
-    const std::string ending = lower_ending(name);
-    for (const Ending& e : endings)
-        if (e.ending == ending) return e.format;
-    return std::nullopt;
+    return format_of<FileFormat>(name, endings);
 }
 
 std::string file_endings()
 {
-    std::string out;
-    for (const Ending& e : endings) out += fmt::format("{}{}", out.empty() ? "" : ", ", e.ending);
-    return out;
+    return listed<FileFormat>(endings);
 }
 
 void require_encodable(unsigned width, unsigned height, FileFormat format, const EncodeOptions& options)

@@ -14,9 +14,6 @@ namespace clucida::host {
 
 enum class FileFormat { png, jpeg, hdr, pfm, ppm };
 
-/// What follows a name's last dot, or all of it, in small letters.
-std::string lower_ending(std::string_view name);
-
 /// By the ending of a file's name, or by the ending alone ("png"); whatever the case.
 std::optional<FileFormat> file_format(std::string_view name);
 

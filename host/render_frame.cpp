@@ -27,11 +27,6 @@ struct Member {
     std::exception_ptr failure;
 };
 
-std::size_t object_count(const scene::Compiled& compiled)
-{
-    return compiled.buffers.bytes[BUFFER_OBJECTS].size() / sizeof(LayoutObject);
-}
-
 /// The program of these needs: the one at hand, or a new one.
 void prepare_program(Member& m, const scene::Needs& needs, const RenderSettings& settings, KernelShape kernel)
 {
@@ -87,7 +82,8 @@ void make_ready(Member& m, const scene::Compiled& compiled, const scene::Needs& 
                 bool of_several)
 {
     Renderer& r = *m.renderer;
-    const KernelShape kernel = settings.kernel.value_or(kernel_shape(r.device.info, object_count(compiled)));
+    const KernelShape kernel =
+        settings.kernel.value_or(kernel_shape(r.device.info, scene::object_count(compiled.buffers)));
     if (r.device.info.native) {
         r.kernel = kernel;
         m.tracer = make_native_tracer(compiled, needs, settings.precision, kernel);

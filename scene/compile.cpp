@@ -99,6 +99,18 @@ double view_distance(const Scene& scene)
     return length(window.view - window.eye);
 }
 
+std::size_t byte_count(const Buffers& buffers)
+{
+    std::size_t out = 0;
+    for (const Bytes& bytes : buffers.bytes) out += bytes.size();
+    return out;
+}
+
+std::size_t object_count(const Buffers& buffers)
+{
+    return buffers.bytes[BUFFER_OBJECTS].size() / sizeof(LayoutObject);
+}
+
 Compiled compile(const Scene& scene, const View& view, PhotographCache* photographs)
 {
     PhotographCache of_this_frame;

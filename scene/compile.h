@@ -67,6 +67,9 @@ struct Compiled {
         0; ///< the most objects that may hold one point; needs.interior may be less to begin with
 };
 
+std::size_t byte_count(const Buffers& buffers);
+std::size_t object_count(const Buffers& buffers);
+
 /// Where the observer's eye is: the origin of the buffers' coordinates, unless the view has an eye of its own.
 Vec3 eye_of(const Scene& scene);
 

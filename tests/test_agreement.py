@@ -46,6 +46,18 @@ class Agreement(unittest.TestCase):
         self.assertIn("no OpenCL device is installed", self.agree(*devices).stdout)
         self.assertIn("1 of 2 pictures", self.agree(*devices, "--fail-above-flips", "0", code=1).stderr)
 
+    def test_a_device_that_hangs_is_ended_and_told(self):
+        fifo = os.path.join(self.folder.name, "hangs.icd")
+        os.mkfifo(fifo)  # whoever opens it to read waits for one who writes
+        hanging = f"OCL_ICD_VENDORS={fifo} gpu"
+        done = self.agree(self.scene, "--device", "native", "--device", hanging, "--seconds", "3",
+                          "--kernel", "pixels", "--json", "-")  # fmt: skip
+        self.assertIn(f"| {hanging} | float | pixels | 2 | 2 | took longer than 3 s | - |", done.stderr)
+        rows = json.loads(done.stdout)["benchmarks"]
+        self.assertEqual([row["error_message"] for row in rows if row["place"] == hanging],
+                         [f"{hanging}: took longer than 3 s"] * 2)  # fmt: skip
+        self.assertTrue(all(row["equal_share"] == 1 for row in rows if row["place"] == "native"))
+
     def test_the_native_device_makes_the_same_values_and_tells_no_paths(self):
         done = self.agree("--device", self.device, "--device", "native", "--kernel", "pixels,packets", "--json", "-",
                           "--fail-above-steps", "0")  # fmt: skip

@@ -8,14 +8,14 @@ clucida_test(test_quality_choice test_quality_choice.cpp LIBS clucida_host)
 clucida_test(test_picture test_picture.cpp LIBS clucida_host)
 clucida_test(test_flip test_flip.cpp LIBS clucida_host)
 clucida_test(test_host_device test_host_device.cpp LIBS clucida_host)
-clucida_test(test_trace test_trace.cpp LIBS clucida_host)
+clucida_test(test_trace test_trace.cpp COST 20 LIBS clucida_host)
 
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 add_test(NAME test_cli COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/test_cli.py $<TARGET_FILE:clucida>)
-set_tests_properties(test_cli PROPERTIES TIMEOUT 600)
+set_tests_properties(test_cli PROPERTIES TIMEOUT 600 COST 30)
 add_test(NAME test_sequence COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/test_sequence.py
          $<TARGET_FILE:clucida>)
-set_tests_properties(test_sequence PROPERTIES TIMEOUT 600)
+set_tests_properties(test_sequence PROPERTIES TIMEOUT 600 COST 25)
 # A real Slurm on loopback, and GNU parallel: half a minute.
 add_test(NAME test_many_machines COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/test_many_machines.py
          $<TARGET_FILE:clucida>)

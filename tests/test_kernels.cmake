@@ -14,7 +14,7 @@ function(clucida_kernel_test name)
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 TEST_FILTER "-*OnDevice.*")
   if(NOT CLUCIDA_SANITIZE)
     add_test(NAME ${name}_on_device COMMAND ${name} --gtest_filter=*OnDevice.*)
-    set_tests_properties(${name}_on_device PROPERTIES TIMEOUT 1200)
+    set_tests_properties(${name}_on_device PROPERTIES TIMEOUT 1200 COST 20)
   endif()
 endfunction()
 

@@ -13,7 +13,7 @@ if(NOT python_with_pytest)
 endif()
 add_test(NAME test_python COMMAND ${python_with_pytest} -m pytest -q -p no:cacheprovider ${CMAKE_CURRENT_SOURCE_DIR}/python
          WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
-set_tests_properties(test_python PROPERTIES TIMEOUT 600 ENVIRONMENT "CLUCIDA=$<TARGET_FILE:clucida>;PYTHONDONTWRITEBYTECODE=1")
+set_tests_properties(test_python PROPERTIES TIMEOUT 600 COST 20 ENVIRONMENT "CLUCIDA=$<TARGET_FILE:clucida>;PYTHONDONTWRITEBYTECODE=1")
 add_test(NAME test_python_types COMMAND ${python_with_pytest} -m mypy --cache-dir ${CMAKE_CURRENT_BINARY_DIR}/mypy
          scene/python/clucida scene/python/examples tests/python WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
 set_tests_properties(test_python_types PROPERTIES TIMEOUT 300)
