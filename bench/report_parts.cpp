@@ -27,10 +27,10 @@ std::vector<Precision> precisions_of(const host::DeviceInfo& device)
     return out;
 }
 
-/// Packets are for CPUs.
+/// Packets are for CPUs, unless the host keeps one from them.
 Kernels kernels_of(const host::DeviceInfo& device)
 {
-    if (device.kind != host::DeviceKind::cpu) return {host::KernelShape::pixels};
+    if (host::kernel_shape(device, 1) == host::KernelShape::pixels) return {host::KernelShape::pixels};
     return {host::KernelShape::packets, host::KernelShape::pixels};
 }
 
@@ -96,8 +96,8 @@ ReportPart fronts_part(const ReportPlan& plan)
     ReportPart out{
         "settings",
         "Settings: time and error",
-        "What samples, hops, cutoff and precision cost and gain on each device. A point of the front is one that no "
-        "other betters in both time and error.",
+        "What samples and precision cost and gain on each device; on the first hops and cutoff, too. A point of the "
+        "front is one that no other betters in both time and error.",
         PartPlots::fronts,
         base_settings(plan),
         plan.scenes};
@@ -109,6 +109,8 @@ ReportPart fronts_part(const ReportPlan& plan)
         axes.devices = {device};
         axes.precisions = precisions_of(device);
         for (SpeedContender& c : contenders_of(axes)) out.settings.contenders.push_back(std::move(c));
+        axes.max_hops = {std::nullopt};
+        axes.cutoffs = {std::nullopt};
     }
     out.settings.error = ErrorFrom::none;
     out.settings.settings_error = true;
