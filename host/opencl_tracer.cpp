@@ -1,5 +1,7 @@
 #include "host/opencl_tracer.h"
 
+#include "host/workarounds.h"
+
 #include <limits>
 
 namespace clucida::host {
@@ -86,6 +88,10 @@ public:
     }
     Shape group() const override { return entry_.items; }
     unsigned most_in_flight() const override { return std::numeric_limits<unsigned>::max(); }
+    unsigned most_samples() const override
+    {
+        return std::min(samples_per_launch, most_samples_of_launch(entry_.renderer.device.info));
+    }
     std::size_t most_pixels() const override
     {
         const std::uint64_t bytes = entry_.renderer.device.info.max_allocation_bytes;

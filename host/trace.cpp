@@ -84,10 +84,10 @@ void collect(Job& job, Task& task)
     if (complete) task.region.reset();
 }
 
-void launch(const Job& job, Task& task)
+void launch(const Job& job, const Tracer& tracer, Task& task)
 {
     task.samples_begin = task.samples_end;
-    task.samples_end = std::min(task.samples_begin + samples_per_launch, job.settings.samples);
+    task.samples_end = std::min(task.samples_begin + tracer.most_samples(), job.settings.samples);
     task.lane->launch(*task.region, task.samples_begin, task.samples_end, task.samples_end == job.settings.samples);
     task.busy = true;
 }
@@ -113,7 +113,7 @@ void work(Job& job, Worker& worker, std::size_t index, std::size_t lane_pixels)
             task.samples_end = 0;
             task.statistics = {};
         }
-        launch(job, task);
+        launch(job, *worker.tracer, task);
     }
 }
 
@@ -140,12 +140,11 @@ void work_in_team(Job& job, std::span<Worker> team, std::size_t index, std::size
 /// Launches of about so many seconds, and of no more pixels than memory should hold.
 std::vector<Taker> takers_of(std::span<const Worker> team, const RenderSettings& settings, Shape cell)
 {
-    const double run = std::min(settings.samples, samples_per_launch);
     std::size_t most = most_region_pixels; // any may have to do what another failed to
     for (const Worker& w : team) most = std::min(most, w.tracer->most_pixels());
     std::vector<Taker> out;
     for (const Worker& w : team) {
-        const double seconds = w.sample_seconds * run;
+        const double seconds = w.sample_seconds * std::min(settings.samples, w.tracer->most_samples());
         std::size_t pixels = most;
         if (settings.tile)
             pixels = area(cell);

@@ -33,6 +33,8 @@ public:
     virtual Shape group() const { return {1, 1}; }
     /// Lanes that may be launched at a time.
     virtual unsigned most_in_flight() const = 0;
+    /// Samples of a pixel that a launch may take.
+    virtual unsigned most_samples() const { return samples_per_launch; }
     /// Pixels that a lane can have.
     virtual std::size_t most_pixels() const = 0;
     /// @throws cl::Error

@@ -1,5 +1,7 @@
 #include "host/workarounds.h"
 
+#include <limits>
+
 namespace clucida::host {
 
 bool copies_calls(const DeviceInfo& device)
@@ -7,11 +9,16 @@ bool copies_calls(const DeviceInfo& device)
     return !device.has_fma;
 }
 
+unsigned most_samples_of_launch(const DeviceInfo& device)
+{
+    return copies_calls(device) ? 1 : std::numeric_limits<unsigned>::max();
+}
+
 std::string workaround_options(const DeviceInfo& device)
 {
-    // At each fma stands a routine of integers, which kernels/fused.h does with sums and products; and the quick search
-    // is left out, as the full one finds the same without it.
-    return copies_calls(device) ? " -DCLU_NO_FMA -DCLU_FULL_SEARCH" : "";
+    // At each fma stands a routine of integers, which kernels/fused.h does with sums and products; the quick search is
+    // left out, as the full one finds the same without it; and whether all loops came to their ends is looked at.
+    return copies_calls(device) ? " -DCLU_NO_FMA -DCLU_FULL_SEARCH -DCLU_LIMITED_LOOPS" : "";
 }
 
 } // namespace clucida::host

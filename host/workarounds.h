@@ -12,6 +12,9 @@ namespace clucida::host {
 /// and gigabytes: Mesa's does. A device without fma is taken to be one of its.
 bool copies_calls(const DeviceInfo& device);
 
+/// Samples of a pixel that a launch may take: where the loops of a work-item may turn so often only, one.
+unsigned most_samples_of_launch(const DeviceInfo& device);
+
 /// Options of the kernels' compiler that the device needs besides those of any other, each with a space before it.
 std::string workaround_options(const DeviceInfo& device);
 

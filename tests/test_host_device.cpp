@@ -188,6 +188,26 @@ TEST(Rendering, a_capacity_that_is_too_small_is_enlarged)
     }
 }
 
+TEST(Rendering, workarounds_change_nothing_but_the_launches)
+{
+    const Shape size{64, 48};
+    const scene::Compiled scene = compiled(size, 3);
+    Device device = find_device(device_selector(""));
+    RenderSettings s = settings(size, 3);
+    s.kernel = KernelShape::pixels;
+    s.tile = size;
+    Renderer usual = make_renderer(device);
+    const Frame right = render_frame(usual, scene, s);
+    device.info.has_fma = false;
+    Renderer limited = make_renderer(device);
+    const Frame frame = render_frame(limited, scene, s);
+    EXPECT_EQ(frame.picture.rgb, right.picture.rgb);
+    EXPECT_EQ(frame.statistics.stuck, 0U);
+    EXPECT_EQ(right.launches, 1U);
+    EXPECT_EQ(frame.launches, 3U);
+    EXPECT_GT(frame.statistics.full, right.statistics.full) << "the full search alone";
+}
+
 TEST(Rendering, packets_draw_the_same_whatever_the_tiles_and_as_pixels_do)
 {
     const Shape size{150, 100};
@@ -223,6 +243,9 @@ TEST(Rendering, the_kernel_is_the_one_made_for_the_device_and_the_scene)
     device.float_lanes = 4;
     EXPECT_EQ(kernel_shape(device, 100), KernelShape::pixels);
     device.float_lanes = 16;
+    device.has_fma = false;
+    EXPECT_EQ(kernel_shape(device, 100), KernelShape::pixels) << "its compiler is not up to packets";
+    device.has_fma = true;
     device.kind = DeviceKind::gpu;
     EXPECT_EQ(kernel_shape(device, 100), KernelShape::pixels);
 }
