@@ -91,9 +91,11 @@ void run(const ReportOptions& o)
 {
     const ReportPlan plan = plan_of(o);
     require_folder(o.folder);
-    const TemporaryFolder fields;
+    const TemporaryFolder fields, programs;
+    CompiledPrograms compiled{programs.path()};
     Report report{host::infos(host::list_devices()), report_parts(plan, fields.path()), machine_load()};
     for (ReportPart& part : report.parts) {
+        part.settings.compiled = &compiled;
         measure(part, o);
         if (part.settings.settings_error && !o.no_calibrate) store_calibrations(part.results, plan.devices, o.quiet);
     }

@@ -106,7 +106,7 @@ private:
             SpeedSettings one = settings_;
             one.contenders = {{settings_.reference_device, host::Precision::twofold, 0, {}, {}, view}};
             seats_ = make_seats(scene_, one, folder_ / "double");
-            open_seat(seats_, 0);
+            open_seat(seats_, 0, settings_.compiled);
         }
         WorkerProcess& worker = *seats_.front().worker;
         take_turn(worker, view, 0);
@@ -173,7 +173,8 @@ private:
 
     void open()
     {
-        for (std::size_t i = 0; i < seats_.size(); ++i, advance(2)) attempt(seats_[i], [&] { open_seat(seats_, i); });
+        for (std::size_t i = 0; i < seats_.size(); ++i, advance(2))
+            attempt(seats_[i], [&] { open_seat(seats_, i, settings_.compiled); });
         for (const SpeedContender& c : settings_.contenders) {
             out_.reports.push_back(seat_of(seats_, c).found);
             out_.reports.back().contender = c;

@@ -5,6 +5,7 @@
 #include "host/compare.h"
 #include "host/statistics.h"
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -14,6 +15,27 @@ namespace clucida::bench {
 
 /// What pictures are held against to tell the arithmetic's error, with the same settings.
 enum class ErrorFrom { none, oracle, double_kernel };
+
+/// What it takes to have a program, s.
+struct Readying {
+    double build = 0;        ///< compilation or, if the cache has it, loading
+    double first_launch = 0; ///< code generation, where it is put off until then
+};
+
+/// A program that a race has compiled, and what finds it there.
+struct CompiledProgram {
+    std::string scene; ///< file
+    SpeedContender contender;
+    std::filesystem::path folder; ///< of caches
+    Readying cold;
+};
+
+/// Programs that one race leaves to the next, in folders beneath one that stays.
+struct CompiledPrograms {
+    std::filesystem::path folder;
+    std::vector<CompiledProgram> programs = {};
+    std::size_t folders = 0; ///< made so far
+};
 
 struct SpeedSettings {
     std::vector<SpeedContender> contenders;
@@ -28,14 +50,9 @@ struct SpeedSettings {
     bool settings_error = false;     ///< also the error of samples, hops and cutoff (reference.h)
     std::size_t error_pixels = 1000; ///< of the arithmetic's error
     unsigned oracle_threads = 1;
-    std::string reference_device; ///< P:D, of pictures that others are held against
+    CompiledPrograms* compiled = nullptr; ///< of races before this one; else each begins with nothing
+    std::string reference_device;         ///< P:D, of pictures that others are held against
     host::Precision reference_precision = host::Precision::twofold;
-};
-
-/// What it takes to have a program, s.
-struct Readying {
-    double build = 0;        ///< compilation or, if the cache has it, loading
-    double first_launch = 0; ///< code generation, where it is put off until then
 };
 
 struct SpeedReport {

@@ -76,7 +76,7 @@ std::filesystem::path reference_file(const host::SceneSource& source, const host
     SpeedSettings one = settings;
     one.contenders = {{settings.reference_device, settings.reference_precision, 0, {}, {}, view}};
     std::vector<Seat> seats = make_seats(scene, one, folder / "reference");
-    open_seat(seats, 0);
+    open_seat(seats, 0, settings.compiled);
     seats.front().worker->ask({{"do", "store"}, {"file", file.string()}});
     return file;
 }

@@ -27,11 +27,11 @@ std::vector<Precision> precisions_of(const host::DeviceInfo& device)
     return out;
 }
 
-/// Packets are for CPUs, unless the host keeps one from them.
+/// The one that it takes by itself; beside packets, pixels.
 Kernels kernels_of(const host::DeviceInfo& device)
 {
-    if (host::kernel_shape(device, 1) == host::KernelShape::pixels) return {host::KernelShape::pixels};
-    return {host::KernelShape::packets, host::KernelShape::pixels};
+    if (host::kernel_shape(device, 1) == host::KernelShape::pixels) return {std::nullopt};
+    return {std::nullopt, host::KernelShape::pixels};
 }
 
 /// Of all scenes a few, from all over the list.
@@ -85,7 +85,7 @@ ReportPart devices_part(const ReportPlan& plan)
         for (SpeedContender& c : contenders_of(axes)) out.settings.contenders.push_back(std::move(c));
         if (!device.has_double) continue;
         axes.precisions = {Precision::twofold};
-        axes.kernels = {host::kernel_shape(device, 1)}; // compiling takes most of the time
+        axes.kernels = {std::nullopt}; // compiling takes most of the time
         for (SpeedContender& c : contenders_of(axes)) out.settings.contenders.push_back(std::move(c));
     }
     return out;

@@ -49,6 +49,21 @@ Readying open(WorkerProcess& worker, Seat& seat)
     return {answer.at("build"), answer.at("first_launch")};
 }
 
+const CompiledProgram* find(const CompiledPrograms& compiled, const std::string& scene, const SpeedContender& contender)
+{
+    const auto at = std::ranges::find_if(compiled.programs, [&](const CompiledProgram& p) {
+        return p.scene == scene && same_program(p.contender, contender);
+    });
+    return at == compiled.programs.end() ? nullptr : &*at;
+}
+
+/// The program's, or a new one.
+std::filesystem::path folder_of(CompiledPrograms& compiled, const std::string& scene, const SpeedContender& contender)
+{
+    const CompiledProgram* known = find(compiled, scene, contender);
+    return known ? known->folder : compiled.folder / std::to_string(compiled.folders++);
+}
+
 } // namespace
 
 host::Environment caches_in(const std::filesystem::path& folder)
@@ -68,8 +83,12 @@ std::vector<Seat> make_seats(const host::SceneOptions& scene, const SpeedSetting
         if (std::ranges::any_of(out, sits)) continue;
         const auto shares = [&](const Seat& s) { return same_program(s.task.contender, c); };
         const auto other = std::ranges::find_if(out, shares);
-        out.push_back(make_seat(scene, settings, c,
-                                other != out.end() ? other->task.native.folder : folder / std::to_string(out.size())));
+        std::filesystem::path own = folder / std::to_string(out.size());
+        if (other != out.end())
+            own = other->task.native.folder;
+        else if (settings.compiled)
+            own = folder_of(*settings.compiled, scene.file, c);
+        out.push_back(make_seat(scene, settings, c, own));
     }
     return out;
 }
@@ -79,20 +98,25 @@ Seat& seat_of(std::vector<Seat>& seats, const SpeedContender& contender)
     return *std::ranges::find_if(seats, [&](const Seat& s) { return same_process(s.task.contender, contender); });
 }
 
-void open_seat(std::vector<Seat>& seats, std::size_t which)
+void open_seat(std::vector<Seat>& seats, std::size_t which, CompiledPrograms* compiled)
 {
     Seat& seat = seats[which];
+    const SpeedContender& contender = seat.task.contender;
     const auto before = std::span(seats).first(which);
-    const auto twin = std::ranges::find_if(before, [&](const Seat& s) {
-        return s.failure.empty() && same_program(s.task.contender, seat.task.contender);
-    });
-    if (twin == before.end())
-        seat.found.cold = open(*start(seat), seat);
-    else
+    const auto twin = std::ranges::find_if(
+        before, [&](const Seat& s) { return s.failure.empty() && same_program(s.task.contender, contender); });
+    const CompiledProgram* known = compiled ? find(*compiled, seat.task.scene.file, contender) : nullptr;
+    if (twin != before.end())
         seat.found.cold = twin->found.cold;
+    else if (known)
+        seat.found.cold = known->cold;
+    else
+        seat.found.cold = open(*start(seat), seat);
     auto worker = start(seat);
     seat.found.cached = open(*worker, seat);
     seat.worker = std::move(worker);
+    if (compiled && !known)
+        compiled->programs.push_back({seat.task.scene.file, contender, seat.task.native.folder, seat.found.cold});
 }
 
 } // namespace clucida::bench

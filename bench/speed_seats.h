@@ -30,8 +30,8 @@ std::vector<Seat> make_seats(const host::SceneOptions& scene, const SpeedSetting
 /// The seat of a contender. There is one.
 Seat& seat_of(std::vector<Seat>& seats, const SpeedContender& contender);
 
-/// Compiles in a process of its own, if none of the same program did before, and then again in the one that stays,
-/// which finds it compiled. @throws host::Failure, host::UsageError, host::Interrupted
-void open_seat(std::vector<Seat>& seats, std::size_t which);
+/// Compiles in a process of its own, if none of the same program did before, here or in an earlier race, and then again
+/// in the one that stays, which finds it compiled. @throws host::Failure, host::UsageError, host::Interrupted
+void open_seat(std::vector<Seat>& seats, std::size_t which, CompiledPrograms* compiled);
 
 } // namespace clucida::bench

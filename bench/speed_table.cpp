@@ -28,7 +28,7 @@ using Columns = std::vector<Column>;
 void add_contender_columns(Columns& to, const std::vector<SpeedContender>& all)
 {
     to.push_back({"device", false, [](const Ranked& r) { return place_name(r.report->contender); }});
-    to.push_back({"kernel", false, [](const Ranked& r) { return kernel_name(r.report->contender.kernel); }});
+    to.push_back({"kernel", false, [](const Ranked& r) { return kernel_name(kernel_that_ran(*r.report)); }});
     to.push_back({"precision", false, [](const Ranked& r) { return precision_name(r.report->contender.precision); }});
     to.push_back({"threads", true, [](const Ranked& r) { return thread_count(*r.report); }});
     const auto add = [&](const char* head, const auto& differs, const auto& words) {

@@ -69,6 +69,11 @@ std::string device_name(const SpeedReport& r)
     return r.what.size() > longest_name ? r.what.substr(0, longest_name - 3) + "..." : r.what;
 }
 
+std::optional<host::KernelShape> kernel_that_ran(const SpeedReport& r)
+{
+    return r.failure.empty() ? r.kernel : r.contender.kernel;
+}
+
 std::string brief(const std::string& failure)
 {
     std::string out = failure.substr(0, std::min(failure.find('\n'), longest_failure));

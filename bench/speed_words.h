@@ -19,6 +19,9 @@ std::string thread_count(const SpeedReport& r);                   ///< "-" where
 /// cutoff, the local size. Tells reports of the same thing apart from others, also from run to run.
 std::string benchmark_name(const std::string& scene, const SpeedContender& c);
 
+/// If it failed, what was asked for.
+std::optional<host::KernelShape> kernel_that_ran(const SpeedReport& r);
+
 /// What went wrong, for a cell of a table: the first line, not too much of it.
 std::string brief(const std::string& failure);
 

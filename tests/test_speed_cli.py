@@ -290,7 +290,7 @@ class Report(Case):
         native, other = sorted(calibrations, key=lambda c: not c["device"].startswith("native"))
         settings = [{(r["precision"], r["samples"], r["max_hops"], r["cutoff"]) for r in c["records"]}
                     for c in (native, other)]  # fmt: skip
-        self.assertGreaterEqual(len(settings[1]), 8)
+        self.assertGreaterEqual(len(settings[1]), 4, "samples and precisions")
         self.assertLessEqual(settings[1], settings[0])
 
     def test_scenes_are_found_or_missed(self):
