@@ -114,6 +114,8 @@ ReportPart fronts_part(const ReportPlan& plan)
     }
     out.settings.error = ErrorFrom::none;
     out.settings.settings_error = true;
+    out.settings.rounds = plan.quick ? 3 : 5; // many contenders, some of seconds
+    out.settings.most_seconds = plan.quick ? 0.2 : 0.5;
     return out;
 }
 
