@@ -27,10 +27,10 @@ SeriesName series_name(const SpeedReport& r)
     return {device_name(r), kernel ? fmt::format("{} {}", precision, kernel_name(kernel)) : precision};
 }
 
-/// "gems.clu" as a part of a file's name.
+/// "gems.clu" as a part of a file's name: "gems-clu".
 std::string file_part(const std::string& text)
 {
-    std::string out = text.substr(0, text.rfind('.'));
+    std::string out = text;
     for (char& c : out)
         if (!std::isalnum(static_cast<unsigned char>(c))) c = '-';
     return out;

@@ -148,7 +148,7 @@ class Speed(Case):
         for foreign in ("<script", "<link", "http://", "https://", "url("):
             self.assertNotIn(foreign, page.replace("http://www.w3.org/2000/svg", ""))
         names = sorted(os.listdir(self.path("plots")))
-        self.assertEqual(names, ["front-glass-48x27.svg", "with-samples.svg"])
+        self.assertEqual(names, ["front-glass-clu-48x27.svg", "with-samples.svg"])
         for name in names:
             self.assertTrue(ElementTree.parse(self.path("plots", name)).getroot().tag.endswith("svg"))
 
