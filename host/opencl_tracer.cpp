@@ -88,10 +88,7 @@ public:
     }
     Shape group() const override { return entry_.items; }
     unsigned most_in_flight() const override { return std::numeric_limits<unsigned>::max(); }
-    unsigned most_samples() const override
-    {
-        return std::min(samples_per_launch, most_samples_of_launch(entry_.renderer.device.info));
-    }
+    unsigned most_samples() const override { return most_samples_of_launch(entry_.renderer.device.info); }
     std::size_t most_pixels() const override
     {
         const std::uint64_t bytes = entry_.renderer.device.info.max_allocation_bytes;

@@ -1,6 +1,6 @@
 #include "host/workarounds.h"
 
-#include <limits>
+#include "host/tiling.h"
 
 namespace clucida::host {
 
@@ -11,7 +11,7 @@ bool copies_calls(const DeviceInfo& device)
 
 unsigned most_samples_of_launch(const DeviceInfo& device)
 {
-    return copies_calls(device) ? 1 : std::numeric_limits<unsigned>::max();
+    return copies_calls(device) ? 1 : samples_per_launch;
 }
 
 std::string workaround_options(const DeviceInfo& device)
