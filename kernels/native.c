@@ -6,6 +6,9 @@
 #include "kernels/packets/trace.h"
 #include "kernels/selftest.h"
 
+#include <assert.h>
+#include <stddef.h>
+
 #ifdef CLU_FULL_SEARCH
 #define NATIVE(name) name##_full
 #elif defined(CLU_DOUBLE)
@@ -24,11 +27,13 @@ void native_selftest(const float in[4], float results[5])
 }
 #endif
 
+/* World begins with the buffers, in the order of LayoutBuffer. */
+static_assert(offsetof(World, stats) == sizeof(void*) * BUFFER_COUNT, "each buffer has its place in World");
 static World make_world(const NativeScene* scene)
 {
     World world;
     memset(&world, 0, sizeof world);
-    memcpy(&world, scene->buffers, sizeof scene->buffers); /* in the same order */
+    memcpy(&world, scene->buffers, sizeof scene->buffers);
     return world;
 }
 
