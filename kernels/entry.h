@@ -21,28 +21,13 @@
      quadrics, tori,   optics,  textures, images, texels,   lights, {0}}
 /* clang-format on */
 
-/* Counts a work-item as stuck whose loops do not turn any more: llvmpipe ends all loops of eight items, once they have
- * turned 65535 times together, and says nothing. A loop of two turns, of which compilers cannot know, then takes one.
- */
-#ifdef CLU_LIMITED_LOOPS
-static inline void confirm_loops(const World* world, __global uint* stats, size_t item)
-{
-    const uint turns = world->frame->width ? 2u : 3u;
-    uint x = 1u;
-    for (uint i = 0; i < turns; i++) x = 3u * x + 1u;
-    if (x < 13u) atomic_inc(&stats[item % STAT_SLOTS * STAT_COUNT + STAT_STUCK]);
-}
-#else
-#define confirm_loops(world, stats, item) ((void)0)
-#endif
-
 /* Adds a work-item's counters to its row of the statistics. */
 static inline void add_statistics(const World* world, __global uint* stats, size_t item)
 {
-    confirm_loops(world, stats, item);
     __global uint* counters = stats + item % STAT_SLOTS * STAT_COUNT;
     for (uint k = 0; k < STAT_COUNT; k++)
         if (world->stats[k]) atomic_add(&counters[k], world->stats[k]);
+    if (!loops_turn(world)) atomic_inc(&counters[STAT_STUCK]);
 }
 
 #endif

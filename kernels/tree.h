@@ -73,7 +73,7 @@ INLINED void walk_open(Walk* walk, __global const LayoutNode* node, real from, r
 
 /* The next object whose box is met between ray parameters from and to, or WALK_DONE. */
 #define WALK_DONE 0xffffffffu
-static CALLED u32 walk_next(Walk* walk, const World* world, real from, real to)
+static CALLED u32 walk_on(Walk* walk, const World* world, real from, real to)
 {
     __global const LayoutFrame* frame = world->frame;
     for (;;) {
@@ -95,5 +95,16 @@ static CALLED u32 walk_next(Walk* walk, const World* world, real from, real to)
         walk_open(walk, &world->nodes[node], from, to, base);
     }
 }
+
+#ifdef CLU_LIMITED_LOOPS
+/* Where its loop was ended it has come to anything (loops.h). */
+static inline u32 walk_next(Walk* walk, const World* world, real from, real to)
+{
+    const u32 id = walk_on(walk, world, from, to);
+    return id < world->frame->object_count ? id : WALK_DONE;
+}
+#else
+#define walk_next walk_on
+#endif
 
 #endif

@@ -3,7 +3,7 @@
 pixels and, of a few scenes that have between them what scenes have, by the one that the device takes by itself: that
 of packets on CPUs, which takes twice as long to compile; and on the native device, by packets.
 
-usage: test_pictures.py PROGRAM SCENES STORED [--update] [--but SCENE]
+usage: test_pictures.py PROGRAM SCENES STORED [--update] [--but SCENE...]
 
 Tolerance: at 160x90 no more than 0.5 % of the pixels may differ by more than 1/255 in linear light (edges may fall
 to the other side of a pixel's centre where a compiler rounds differently), and the RMSE must stay below 0.01.
@@ -53,8 +53,8 @@ def complaints(program: Path, scene: Path, way: tuple[str, ...], stored: Path, p
 def main() -> int:
     program, scenes, stored = (Path(a) for a in sys.argv[1:4])
     update = "--update" in sys.argv[4:]
-    but = sys.argv[sys.argv.index("--but") + 1] if "--but" in sys.argv else None
-    texts = sorted(p for p in scenes.iterdir() if p.suffix in (".clu", ".gun", ".rayt") and p.name != but)
+    but = sys.argv[sys.argv.index("--but") + 1 :] if "--but" in sys.argv else []
+    texts = sorted(p for p in scenes.iterdir() if p.suffix in (".clu", ".gun", ".rayt") and p.name not in but)
     failed = 0
 
     def judge(scene: Path) -> list[str]:
