@@ -10,13 +10,15 @@
 #include "host/devices.h"
 #include "host/errors.h"
 #include "host/motion.h"
-#include "host/renderer.h"
+#include "host/opencl_tracer.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <array>
 #include <cstring>
 #include <ctime>
+#include <memory>
 
 namespace clucida::bench {
 namespace {
@@ -30,10 +32,9 @@ struct Options {
 
 struct Eyes {
     host::Renderer renderer;
-    std::vector<host::DeviceBuffers> buffers; ///< of each eye; kernels do not keep them
-    std::vector<cl::Kernel> kernels;          ///< with these set
-    cl::Buffer tile, stats;
-    host::Shape picture, block, items;
+    std::array<host::DeviceBuffers, 2> buffers;         ///< of each eye; kernels do not keep them
+    std::vector<std::unique_ptr<host::Tracer>> tracers; ///< with these
+    host::Shape picture;
     std::size_t shared = 0, bytes = 0; ///< of an eye's buffers: bytes that both have in common, and all
 };
 
@@ -42,9 +43,9 @@ bool same(const scene::Bytes& a, const scene::Bytes& b)
     return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size()) == 0);
 }
 
-Eyes prepare(const std::string& file, const host::Device& device, const Options& o)
+/// The tracers have the renderer and the buffers of just these eyes.
+void prepare(Eyes& eyes, const std::string& file, const host::Device& device, const Options& o)
 {
-    Eyes eyes;
     eyes.picture = host::parse_picture_size(o.size);
     host::SceneOptions options;
     options.file = file;
@@ -61,45 +62,27 @@ Eyes prepare(const std::string& file, const host::Device& device, const Options&
         eye.needs = done.picture.width ? done.needs : needs;
         done = host::render_frame(eyes.renderer, eye, settings);
     }
-    const bool packets = done.kernel == host::KernelShape::packets;
-    eyes.block = packets ? host::Shape{32, 32} : host::Shape{1, 1};
-    eyes.items = packets ? host::Shape{1, 1} : host::Shape{8, 8};
-    auto& buffers = eyes.buffers;
-    for (const scene::Compiled& eye : frame.eyes) {
-        buffers.push_back(host::upload(eyes.renderer, eye.buffers));
-        cl::Kernel kernel(eyes.renderer.program.handle, "render");
-        for (cl_uint i = 0; i < BUFFER_COUNT; ++i) {
-            const bool shared = same(eye.buffers.bytes[i], frame.eyes[0].buffers.bytes[i]);
-            if (buffers.size() == 2) {
-                eyes.bytes += eye.buffers.bytes[i].size();
-                if (shared) eyes.shared += eye.buffers.bytes[i].size();
-            }
-            kernel.setArg(i, shared ? buffers[0][i] : buffers.back()[i]);
+    for (std::size_t side = 0; side < 2; ++side) {
+        const scene::Compiled& eye = frame.eyes[side];
+        host::DeviceBuffers& own = eyes.buffers[side] = host::upload(eyes.renderer, eye.buffers);
+        for (std::size_t i = 0; side > 0 && i < BUFFER_COUNT; ++i) {
+            eyes.bytes += eye.buffers.bytes[i].size();
+            if (!same(eye.buffers.bytes[i], frame.eyes[0].buffers.bytes[i])) continue;
+            eyes.shared += eye.buffers.bytes[i].size();
+            own[i] = eyes.buffers[0][i];
         }
-        eyes.kernels.push_back(std::move(kernel));
+        eyes.tracers.push_back(host::make_opencl_tracer(eyes.renderer, own, settings));
     }
-    eyes.tile = cl::Buffer(eyes.renderer.context, CL_MEM_READ_WRITE,
-                           host::area(host::round_up(eyes.picture, {32, 32})) * 4 * sizeof(float));
-    const std::vector<cl_uint> none(std::size_t{STAT_SLOTS} * STAT_COUNT);
-    eyes.stats = cl::Buffer(eyes.renderer.context, CL_MEM_READ_WRITE, none.size() * sizeof(cl_uint));
-    eyes.renderer.queue.enqueueWriteBuffer(eyes.stats, CL_TRUE, 0, none.size() * sizeof(cl_uint), none.data());
-    return eyes;
-}
-
-void launch(Eyes& eyes, cl::Kernel& kernel, host::Shape tile, unsigned x0, unsigned y0)
-{
-    cl_uint argument = BUFFER_COUNT;
-    for (const cl_uint value : {x0, y0, 0U, 1U}) kernel.setArg(argument++, value);
-    kernel.setArg(argument++, eyes.tile);
-    kernel.setArg(argument, eyes.stats);
-    eyes.renderer.queue.enqueueNDRangeKernel(
-        kernel, cl::NullRange, cl::NDRange(tile.width / eyes.block.width, tile.height / eyes.block.height),
-        cl::NDRange(eyes.items.width, eyes.items.height));
 }
 
 /// Seconds of the processor for a pair.
-double render_pair(Eyes& eyes, host::Shape tile, bool in_turns)
+double render_pair(const Eyes& eyes, host::Shape tile, bool in_turns)
 {
+    const std::array lanes = {eyes.tracers[0]->make_lane(area(tile)), eyes.tracers[1]->make_lane(area(tile))};
+    const auto trace = [&](host::Lane& lane, unsigned x, unsigned y) {
+        lane.launch({x, y, tile}, 0, 1, true);
+        lane.wait();
+    };
     const std::clock_t begin = std::clock();
     const auto each_tile = [&](const std::function<void(unsigned, unsigned)>& work) {
         for (unsigned y = 0; y < eyes.picture.height; y += tile.height)
@@ -107,22 +90,20 @@ double render_pair(Eyes& eyes, host::Shape tile, bool in_turns)
     };
     if (in_turns) {
         each_tile([&](unsigned x, unsigned y) {
-            for (cl::Kernel& kernel : eyes.kernels) launch(eyes, kernel, tile, x, y);
+            for (const auto& lane : lanes) trace(*lane, x, y);
         });
     } else {
-        for (cl::Kernel& kernel : eyes.kernels)
-            each_tile([&](unsigned x, unsigned y) { launch(eyes, kernel, tile, x, y); });
+        for (const auto& lane : lanes) each_tile([&](unsigned x, unsigned y) { trace(*lane, x, y); });
     }
-    eyes.renderer.queue.finish();
     return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
 void measure(const std::string& file, const host::Device& device, const Options& o)
 {
-    Eyes eyes = prepare(file, device, o);
+    Eyes eyes;
+    prepare(eyes, file, device, o);
     for (const std::string& text : o.tiles) {
-        const host::Shape group{eyes.items.width * eyes.block.width, eyes.items.height * eyes.block.height};
-        const host::Shape tile = host::round_up(host::parse_size(text, "the tile's size"), group);
+        const host::Shape tile = host::round_up(host::parse_size(text, "the tile's size"), eyes.tracers[0]->grain());
         std::vector<double> apart, in_turns;
         render_pair(eyes, tile, false);
         for (unsigned round = 0; round < o.rounds; ++round) {

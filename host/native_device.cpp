@@ -17,7 +17,7 @@ namespace {
 using Render = decltype(&native_render_f);
 
 constexpr std::uint32_t imitations = scene::feature_as_gun | scene::feature_as_rayt;
-constexpr unsigned strip = 32; ///< rows that a thread takes at a time: a block of packets, PACKET_TILE
+constexpr unsigned side = 16; ///< of the blocks that threads take: PACKET_TILE
 constexpr unsigned packet_lanes = 8;
 
 std::string processor_name()
@@ -83,11 +83,11 @@ public:
         counters.assign(std::size_t{threads} * STAT_COUNT, 0);
         if (region.x >= picture_.width || region.y >= picture_.height) return;
         const Shape part = region.visible(picture_);
-        const unsigned across = (part.width + strip - 1) / strip, down = (part.height + strip - 1) / strip;
+        const unsigned across = (part.width + side - 1) / side, down = (part.height + side - 1) / side;
         share_work(std::size_t{across} * down, threads, [&](std::size_t number, unsigned worker) {
-            const auto x = static_cast<unsigned>(number % across) * strip;
-            const auto y = static_cast<unsigned>(number / across) * strip;
-            trace_block(region, {x, y, {std::min(strip, part.width - x), std::min(strip, part.height - y)}}, begin, end,
+            const auto x = static_cast<unsigned>(number % across) * side;
+            const auto y = static_cast<unsigned>(number / across) * side;
+            trace_block(region, {x, y, {std::min(side, part.width - x), std::min(side, part.height - y)}}, begin, end,
                         &counters[std::size_t{worker} * STAT_COUNT]);
         });
     }
@@ -97,7 +97,7 @@ private:
     /// block: relative to the region. The core writes rows that lie one after the other.
     void trace_block(const Region& region, const Region& block, unsigned begin, unsigned end, std::uint32_t* stats)
     {
-        std::array<float, std::size_t{4} * strip * strip> own{};
+        std::array<float, std::size_t{4} * side * side> own{};
         const std::size_t stride = std::size_t{4} * region.shape.width, floats = std::size_t{4} * block.shape.width;
         float* const first = sums.data() + block.y * stride + std::size_t{4} * block.x;
         if (begin > 0)
@@ -119,7 +119,7 @@ public:
         const auto* frame = reinterpret_cast<const LayoutFrame*>(compiled.buffers.bytes[BUFFER_FRAME].data());
         picture_ = {frame->width, frame->height};
     }
-    Shape grain() const override { return {strip, strip}; }
+    Shape grain() const override { return {side, side}; }
     unsigned most_in_flight() const override { return 1; }
     std::size_t most_pixels() const override { return std::numeric_limits<std::size_t>::max(); }
     std::unique_ptr<Lane> make_lane(std::size_t pixels) override

@@ -2,21 +2,21 @@
 
 #include "host/workarounds.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace clucida::host {
 namespace {
 
-constexpr std::size_t stats_count = std::size_t{STAT_SLOTS} * STAT_COUNT;
 constexpr std::size_t pixel_bytes = 4 * sizeof(float);
-constexpr Shape packet_block{32, 32}; ///< PACKET_TILE (kernels/packets/stacks.h)
+constexpr Shape packet_block{16, 16}; ///< PACKET_TILE (kernels/packets/stacks.h)
 
 /// A kernel with the scene's buffers set.
 struct Entry {
     const Renderer& renderer;
     cl::Kernel kernel;
     Shape items; ///< of a work-group
-    Shape block; ///< pixels of an item
+    Shape grain; ///< pixels of a work-group, or of a packets' block
 };
 
 double seconds_of(const cl::Event& event)
@@ -30,10 +30,10 @@ class OpenclLane : public Lane {
 public:
     OpenclLane(Entry& entry, std::size_t pixels)
         : entry_(entry), tile_(entry.renderer.context, CL_MEM_READ_WRITE, pixels * pixel_bytes),
-          stats_(entry.renderer.context, CL_MEM_READ_WRITE, stats_count * sizeof(cl_uint)), no_stats_(stats_count)
+          stats_(entry.renderer.context, CL_MEM_READ_WRITE, STAT_WORDS * sizeof(cl_uint)), no_stats_(STAT_WORDS)
     {
         sums.resize(pixels * 4);
-        counters.resize(stats_count);
+        counters.resize(STAT_NEXT);
     }
     /// The device writes into the lane's memory.
     ~OpenclLane() override
@@ -48,20 +48,26 @@ public:
         const cl::CommandQueue& queue = entry_.renderer.queue;
         busy_ = true;
         // Not filled: Oclgrind 21.10 takes no note of fills and would call every counter uninitialized.
-        queue.enqueueWriteBuffer(stats_, CL_FALSE, 0, stats_count * sizeof(cl_uint), no_stats_.data());
+        queue.enqueueWriteBuffer(stats_, CL_FALSE, 0, STAT_WORDS * sizeof(cl_uint), no_stats_.data());
         cl_uint argument = BUFFER_COUNT;
         entry_.kernel.setArg(argument++, cl_uint{region.x});
         entry_.kernel.setArg(argument++, cl_uint{region.y});
         entry_.kernel.setArg(argument++, cl_uint{begin});
         entry_.kernel.setArg(argument++, cl_uint{end});
         entry_.kernel.setArg(argument++, tile_);
-        entry_.kernel.setArg(argument, stats_);
-        queue.enqueueNDRangeKernel(
-            entry_.kernel, cl::NullRange,
-            cl::NDRange(region.shape.width / entry_.block.width, region.shape.height / entry_.block.height),
-            cl::NDRange(entry_.items.width, entry_.items.height), nullptr, &traced_);
+        entry_.kernel.setArg(argument++, stats_);
+        cl::NDRange range(region.shape.width, region.shape.height), group(entry_.items.width, entry_.items.height);
+        if (entry_.renderer.kernel == KernelShape::packets) {
+            const cl_uint across = region.shape.width / packet_block.width;
+            const cl_uint down = region.shape.height / packet_block.height;
+            entry_.kernel.setArg(argument++, across);
+            entry_.kernel.setArg(argument, down);
+            range = cl::NDRange(std::clamp(entry_.renderer.device.info.compute_units, 1u, across * down));
+            group = cl::NDRange(1);
+        }
+        queue.enqueueNDRangeKernel(entry_.kernel, cl::NullRange, range, group, nullptr, &traced_);
         if (last) queue.enqueueReadBuffer(tile_, CL_FALSE, 0, area(region.shape) * pixel_bytes, sums.data());
-        queue.enqueueReadBuffer(stats_, CL_FALSE, 0, stats_count * sizeof(cl_uint), counters.data(), nullptr, &done_);
+        queue.enqueueReadBuffer(stats_, CL_FALSE, 0, STAT_NEXT * sizeof(cl_uint), counters.data(), nullptr, &done_);
         queue.flush();
     }
     void wait() override
@@ -82,10 +88,7 @@ private:
 class OpenclTracer : public Tracer {
 public:
     explicit OpenclTracer(Entry entry) : entry_(std::move(entry)) {}
-    Shape grain() const override
-    {
-        return {entry_.items.width * entry_.block.width, entry_.items.height * entry_.block.height};
-    }
+    Shape grain() const override { return entry_.grain; }
     Shape group() const override { return entry_.items; }
     unsigned most_in_flight() const override { return std::numeric_limits<unsigned>::max(); }
     unsigned most_samples() const override { return most_samples_of_launch(entry_.renderer.device.info); }
@@ -111,8 +114,7 @@ std::unique_ptr<Tracer> make_opencl_tracer(const Renderer& renderer, const Devic
     Entry entry{renderer, cl::Kernel(renderer.program.handle, "render"), {1, 1}, packet_block};
     for (cl_uint i = 0; i < BUFFER_COUNT; ++i) entry.kernel.setArg(i, buffers[i]);
     if (renderer.kernel == KernelShape::pixels) {
-        entry.items = group_of(renderer, entry.kernel, settings.group);
-        entry.block = {1, 1};
+        entry.items = entry.grain = group_of(renderer, entry.kernel, settings.group);
     }
     return std::make_unique<OpenclTracer>(std::move(entry));
 }

@@ -4,8 +4,8 @@
 
 #include "kernels/packets/packet.h"
 
-#define PACKET_TILE 32u
-#define PIXEL_BITS 10u
+#define PACKET_TILE 16u
+#define PIXEL_BITS 8u
 #define PIXEL_MASK ((1u << PIXEL_BITS) - 1u)
 
 /* A stack each for rays that begin in the vacuum or in a medium, reflected or refracted: those meet much the same
