@@ -134,6 +134,7 @@ nlohmann::ordered_json frame_json(const FrameReport& report)
     return {{"frame", report.planned->frame},
             {"files", report.planned->files},
             {"fingerprint", report.planned->fingerprint},
+            {"device", report.device},
             {"seconds", {{"upload", report.timings.upload}, {"trace", report.timings.trace}}},
             {"statistics", statistics_json(report.statistics)}};
 }

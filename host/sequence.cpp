@@ -1,24 +1,29 @@
 #include "host/sequence.h"
 
-#include "host/atomic_file.h"
 #include "host/errors.h"
+#include "host/frame_deal.h"
+#include "host/sequence_writer.h"
 #include "host/stopwatch.h"
-#include "host/work_queue.h"
 #include "scene/error.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <exception>
 #include <future>
+#include <map>
+#include <memory>
 #include <mutex>
+#include <numeric>
 #include <set>
 #include <thread>
 
 namespace clucida::host {
 namespace {
+
+/// Frames that a device may be ahead of another: they wait, as pictures, for those before them.
+constexpr std::size_t frames_ahead = 4;
 
 /// Threads that plan: a text so large that its frames fill the memory is read by one.
 constexpr std::size_t large_text = std::size_t{1} << 24;
@@ -101,60 +106,142 @@ unsigned builds_of(std::span<const Renderer> team)
     return sum;
 }
 
-/// Writes finished frames, in order.
-class Writer {
+/// Renders the frames that are not kept.
+class SequenceRenderer {
 public:
-    Writer(const SequenceJob& job, const SequenceHooks& hooks) : job_(job), hooks_(hooks)
+    SequenceRenderer(const SequenceJob& job, const SequencePlan& plan, std::span<Renderer> team,
+                     const SequenceHooks& hooks)
+        : job_(job), plan_(plan), team_(team), hooks_(hooks), writer_(job, plan, hooks), settings_(job.settings),
+          needs_(plan.needs)
     {
-        if (!job.film) return;
-        const scene::View& view = job.motion->view();
-        size_ = composed_size(job.motion->stereo().layout, {view.width, view.height});
-        film_.emplace(job.film->file, job.film->format, size_, job.fps);
+        for (const PlannedFrame& frame : plan.frames)
+            if (!frame.kept) todo_.push_back(&frame);
     }
 
-    /// Pictures of one frame: of each eye.
-    void write(FrameReport report, std::vector<Picture> eyes)
+    SequenceReport render()
     {
-        const PlannedFrame& planned = *report.planned;
-        std::vector<Picture> pictures;
-        if (planned.files.size() == 2)
-            pictures = std::move(eyes);
-        else
-            pictures.push_back(compose(job_.motion->stereo().layout, std::move(eyes)));
-        for (std::size_t i = 0; i < planned.files.size(); ++i) {
-            EncodeOptions encoding = job_.encoding;
-            encoding.metadata.emplace_back("Frame", fmt::format("{}", planned.frame));
-            encoding.metadata.emplace_back(fingerprint_keyword, planned.fingerprint);
-            const std::string bytes = encode(pictures[i], job_.files->format, encoding);
-            if (planned.files[i] == "-")
-                write_all(STDOUT_FILENO, bytes, "standard output");
-            else
-                write_file(planned.files[i], bytes);
+        std::vector<std::size_t> numbers(todo_.size());
+        std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+        const bool several = std::ranges::count_if(team_, works) > 1 && job_.in_flight > 1 && numbers.size() > 1;
+        if (several) { // the first tells how fast each is
+            render_together({0});
+            numbers.erase(numbers.begin());
+            numbers = deal_out(numbers);
         }
-        if (film_) film_->add(develop_8(pictures[0], job_.encoding.transfer));
-        if (hooks_.finished) hooks_.finished(report);
-    }
-
-    /// A frame whose file is kept.
-    void keep(const PlannedFrame& planned)
-    {
-        if (!film_) return;
-        const Picture picture = read_picture(planned.files[0], job_.encoding.transfer);
-        if (picture.width != size_.width || picture.height != size_.height)
-            throw Failure(fmt::format("{} has changed while it was used", planned.files[0]));
-        film_->add(develop_8(picture, job_.encoding.transfer));
-    }
-
-    void finish()
-    {
-        if (film_) film_->finish();
+        render_together(numbers);
+        writer_.finish();
+        report_.rendered = todo_.size();
+        return report_;
     }
 
 private:
+    static bool works(const Renderer& renderer) { return renderer.failure.empty(); }
+
+    std::shared_ptr<const CompiledFrame> compiled(std::size_t number)
+    {
+        if (!plan_.moves) {
+            const std::lock_guard lock(mutex_);
+            if (!still_) still_ = std::make_shared<const CompiledFrame>(job_.motion->compile(todo_[number]->frame));
+            return still_;
+        }
+        return std::make_shared<const CompiledFrame>(job_.motion->compile(todo_[number]->frame));
+    }
+
+    /// All devices share each frame, while the next is compiled.
+    void render_together(const std::vector<std::size_t>& numbers)
+    {
+        using Next = std::future<std::shared_ptr<const CompiledFrame>>;
+        const auto policy = job_.in_flight > 1 ? std::launch::async : std::launch::deferred;
+        const auto compile = [&](std::size_t i) {
+            return i < numbers.size() ? std::async(policy, [&, i] { return compiled(numbers[i]); }) : Next();
+        };
+        Next next = compile(0);
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            const auto frame = next.get();
+            next = compile(i + 1);
+            writer_.add(render_frame_by(team_, numbers[i], *frame, settings_, needs_, 0));
+        }
+    }
+
+    /// Each device renders whole frames. Returns those that are left for all together.
+    std::vector<std::size_t> deal_out(const std::vector<std::size_t>& numbers)
+    {
+        std::vector<Renderer*> takers;
+        std::vector<double> seconds;
+        for (Renderer& r : team_) {
+            if (!works(r) || !(r.sample_seconds.value_or(0) > 0)) continue;
+            takers.push_back(&r);
+            seconds.push_back(*r.sample_seconds * static_cast<double>(area(settings_.picture)) * settings_.samples);
+        }
+        std::vector<scene::Needs> needs(takers.size(), needs_);
+        const auto render = [&](std::size_t taker, std::size_t number) {
+            const auto frame = compiled(number);
+            RenderSettings settings = settings_;
+            RenderedFrame done;
+            try {
+                done = render_frame_by({takers[taker], 1}, number, *frame, settings, needs[taker], taker);
+            } catch (const Failure& e) {
+                throw TakerFailure(e.what());
+            }
+            writer_.add(std::move(done));
+        };
+        const auto failed = [&](std::size_t taker, const std::string& why) {
+            takers[taker]->failure = why;
+            const std::lock_guard lock(mutex_);
+            notes_.push_back(fmt::format("a device failed, and the others took over: {}", why));
+            fractions_[taker] = 0;
+        };
+        const std::vector<std::size_t> left =
+            deal_frames(numbers, seconds, frames_ahead * takers.size(), render, failed);
+        for (const scene::Needs& n : needs) needs_ = unite(needs_, n);
+        return left;
+    }
+
+    /// taker: whose part of the progress it is
+    RenderedFrame render_frame_by(std::span<Renderer> team, std::size_t number, const CompiledFrame& compiled,
+                                  RenderSettings& settings, scene::Needs& needs, std::size_t taker)
+    {
+        RenderedFrame out;
+        out.report.planned = todo_[number];
+        const auto progress = [&](double fraction) { tell_progress(taker, fraction); };
+        for (const scene::Compiled& eye : compiled.eyes) {
+            Frame frame = render_next(team, eye, settings, needs, {progress, hooks_.cancelled, {}});
+            add_timings(out.report.timings, frame.timings);
+            add(out.report.statistics, frame.statistics);
+            std::ranges::move(frame.notes, std::back_inserter(out.report.notes));
+            out.report.device = std::move(frame.device);
+            out.eyes.push_back(std::move(frame.picture));
+        }
+        const std::lock_guard lock(mutex_);
+        add_timings(report_.timings, out.report.timings);
+        std::ranges::move(notes_, std::back_inserter(out.report.notes));
+        notes_.clear();
+        fractions_[taker] = 0;
+        return out;
+    }
+
+    void tell_progress(std::size_t taker, double fraction)
+    {
+        const std::lock_guard lock(mutex_);
+        fractions_[taker] = fraction;
+        double sum = 0;
+        for (const auto& [number, part] : fractions_) sum += part;
+        if (hooks_.progress) hooks_.progress(sum);
+    }
+
     const SequenceJob& job_;
+    const SequencePlan& plan_;
+    std::span<Renderer> team_;
     const SequenceHooks& hooks_;
-    std::optional<Film> film_;
-    Shape size_;
+    SequenceWriter writer_;
+    RenderSettings settings_; ///< devices are measured for the first frame
+    scene::Needs needs_;      ///< of all frames so far
+    std::vector<const PlannedFrame*> todo_;
+    std::mutex mutex_; ///< of what follows, and of hooks
+    SequenceReport report_;
+    std::shared_ptr<const CompiledFrame> still_; ///< where nothing moves, all frames
+    std::map<std::size_t, double> fractions_;    ///< of the frame that each taker is at
+    std::vector<std::string> notes_;             ///< for the next frame
 };
 
 } // namespace
@@ -204,50 +291,7 @@ SequenceReport render_sequence(const SequenceJob& job, const SequencePlan& plan,
 {
     const Stopwatch watch;
     const unsigned builds_before = builds_of(team);
-    SequenceReport report;
-    RenderSettings settings = job.settings;
-    scene::Needs needs = plan.needs;
-    std::vector<const PlannedFrame*> todo;
-    for (const PlannedFrame& frame : plan.frames)
-        if (!frame.kept) todo.push_back(&frame);
-
-    const bool overlaps = job.in_flight > 1;
-    const auto compile = [&](std::size_t i) {
-        return std::async(overlaps ? std::launch::async : std::launch::deferred,
-                          [&job, frame = todo[i]->frame] { return job.motion->compile(frame); });
-    };
-    Writer writer(job, hooks);
-    std::future<CompiledFrame> next; // before the queue, which is done with before it
-    WorkQueue queue(overlaps ? job.in_flight - 1 : 0);
-    std::shared_ptr<const CompiledFrame> compiled;
-    std::size_t at = 0;
-    for (const PlannedFrame& planned : plan.frames) {
-        if (planned.kept) {
-            queue.push([&writer, &planned] { writer.keep(planned); });
-            continue;
-        }
-        if (!compiled || plan.moves) {
-            if (!next.valid()) next = compile(at);
-            compiled = std::make_shared<const CompiledFrame>(next.get());
-        }
-        ++at;
-        if (plan.moves && at < todo.size()) next = compile(at);
-        FrameReport done;
-        done.planned = &planned;
-        auto eyes = std::make_shared<std::vector<Picture>>();
-        for (const scene::Compiled& eye : compiled->eyes) {
-            Frame frame = render_next(team, eye, settings, needs, {hooks.progress, hooks.cancelled, {}});
-            add_timings(done.timings, frame.timings);
-            add(done.statistics, frame.statistics);
-            std::ranges::move(frame.notes, std::back_inserter(done.notes));
-            eyes->push_back(std::move(frame.picture));
-        }
-        add_timings(report.timings, done.timings);
-        ++report.rendered;
-        queue.push([&writer, done, eyes] { writer.write(done, std::move(*eyes)); });
-    }
-    queue.finish();
-    writer.finish();
+    SequenceReport report = SequenceRenderer(job, plan, team, hooks).render();
     report.builds = builds_of(team) - builds_before;
     report.seconds = watch.seconds();
     return report;

@@ -62,6 +62,7 @@ struct FrameReport {
     const PlannedFrame* planned = nullptr;
     Statistics statistics;
     Timings timings; ///< of all eyes
+    std::string device = {};
     std::vector<std::string> notes = {};
 };
 
@@ -73,11 +74,15 @@ struct SequenceReport {
 };
 
 struct SequenceHooks {
-    std::function<void(double fraction)> progress = {};    ///< of the frame that is traced
-    std::function<bool()> cancelled = {};                  ///< asked between launches
-    std::function<void(const FrameReport&)> finished = {}; ///< from a thread of its own, in order
+    std::function<void(double fraction)> progress = {}; ///< of the frames that are traced, in sum
+    std::function<bool()> cancelled = {};               ///< asked between launches
+    std::function<void(const FrameReport&)> finished =
+        {}; ///< from a thread of its own, in order unless the work has ended early
 };
 
+/// Of several devices, each renders whole frames, from the second on, and all share the last ones: the pictures do not
+/// depend on that where their arithmetic agrees. in_flight 1: they share every frame. A device that fails leaves its
+/// frame to the others.
 /// @throws Failure, Interrupted; frames that were finished before are kept, a film is not
 SequenceReport render_sequence(const SequenceJob& job, const SequencePlan& plan, std::span<Renderer> team,
                                const SequenceHooks& hooks);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <exception>
 #include <thread>
 
@@ -180,10 +181,14 @@ Probe probe(Tracer& tracer, Shape picture)
     constexpr std::array<std::array<unsigned, 2>, 3> quarters = {{{2, 2}, {1, 3}, {3, 3}}};
     for (const auto& [qx, qy] : quarters) {
         const Region region{picture.width / 4 * qx, picture.height / 4 * qy, shape};
-        const Stopwatch watch;
-        lane->launch(region, 0, 1, true);
-        lane->wait();
-        out.sample_seconds = std::max(out.sample_seconds, watch.seconds() / static_cast<double>(area(shape)));
+        double seconds = HUGE_VAL; // the better of two: others may hold one up
+        for (int i = 0; i < 2; ++i) {
+            const Stopwatch watch;
+            lane->launch(region, 0, 1, true);
+            lane->wait();
+            seconds = std::min(seconds, watch.seconds());
+        }
+        out.sample_seconds = std::max(out.sample_seconds, seconds / static_cast<double>(area(shape)));
         const Shape part = Region{region.x, region.y, least_cell}.visible(picture);
         for (unsigned j = 0; j < std::min(part.height, shape.height); ++j)
             for (unsigned i = 0; i < 4 * std::min(part.width, shape.width); ++i)

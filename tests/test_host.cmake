@@ -9,6 +9,7 @@ clucida_test(test_picture test_picture.cpp LIBS clucida_host)
 clucida_test(test_flip test_flip.cpp LIBS clucida_host)
 clucida_test(test_host_device test_host_device.cpp LIBS clucida_host)
 clucida_test(test_trace test_trace.cpp COST 20 LIBS clucida_host)
+clucida_test(test_frame_deal test_frame_deal.cpp LIBS clucida_host)
 
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 add_test(NAME test_cli COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/test_cli.py $<TARGET_FILE:clucida>)

@@ -142,6 +142,39 @@ class Sequences(unittest.TestCase):
         self.render("-o", "g/%d.png", "--in-flight", "1")
         self.assertEqual(digests(self.folder / "f"), digests(self.folder / "g"))
 
+    def test_several_devices_render_whole_frames(self):
+        # The native core rounds as PoCL does.
+        self.render("-o", "f/%02d.ppm", "--frame-count", "40", "--device", "0:0", size="96x54")
+        (self.folder / "g").mkdir()
+        out, _ = self.render("-o", "g/%02d.ppm", "-o", "film.mkv", "--frame-count", "40", "--device", "0:0,native", "--json", size="96x54")
+        frames = json.loads(out)["frames"]
+        self.assertEqual([f["frame"] for f in frames], list(range(1, 41)))
+        self.assertIn(" + ", frames[0]["device"], "the first is for both, which are measured by it")
+        devices = {f["device"] for f in frames}
+        self.assertTrue([d for d in devices if d.startswith("0:0") and "+" not in d], devices)
+        self.assertTrue([d for d in devices if d.startswith("native") and "+" not in d], devices)
+        for name in self.names():
+            self.assertEqual((self.folder / "f" / name).read_bytes(), (self.folder / "g" / name).read_bytes(), name)
+        self.assertEqual(self.probe("film.mkv")["nb_read_frames"], "40")
+        film = subprocess.run(["ffmpeg", "-v", "error", "-i", "film.mkv", "-f", "rawvideo", "-pix_fmt", "rgb24", "-"], cwd=self.folder, capture_output=True, check=True).stdout
+        size = 96 * 54 * 3
+        self.assertEqual(film, b"".join((self.folder / "f" / name).read_bytes()[-size:] for name in self.names()))
+
+    def test_one_thing_after_the_other_several_devices_share_each_frame(self):
+        out, _ = self.render("-o", "f/%02d.ppm", "--device", "0:0,native", "--in-flight", "1", "--json")
+        self.assertTrue(all(" + " in f["device"] for f in json.loads(out)["frames"]))
+
+    def test_what_is_finished_is_kept_by_several_devices_too(self):
+        process = self.start("-o", "f/%d.png", "--samples", "64", "--device", "0:0,native", size="320x180")
+        while len(list((self.folder / "f").glob("*.png"))) < 3:
+            time.sleep(0.02)
+            self.assertIsNone(process.poll())
+        process.send_signal(signal.SIGINT)
+        process.communicate()
+        self.assertEqual(process.returncode, 130)
+        self.assertTrue(all(name.endswith(".png") for name in self.names()))
+        self.assertLess(len(self.names()), 12)
+
     def test_parameters_change_the_picture(self):
         self.render("-o", "a.png")
         self.render("-o", "b.png", "--set", "radius=0.5*2")
