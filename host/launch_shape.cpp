@@ -14,7 +14,7 @@ namespace {
 
 constexpr double longest = 1;    ///< s that all looks may take; the one under way is finished
 constexpr double clearly = 0.97; ///< of the usual shape's time
-constexpr unsigned most_side = 1024;
+constexpr unsigned most_group_side = 1024;
 
 std::string key_of(const DeviceInfo& device)
 {
@@ -28,7 +28,7 @@ std::optional<Shape> kept_group(const DeviceInfo& device)
     const auto text = load_cached(cache_folder(), key_of(device));
     Shape group;
     if (!text || std::sscanf(text->c_str(), "%ux%u", &group.width, &group.height) != 2) return std::nullopt;
-    if (group.width - 1 >= most_side || group.height - 1 >= most_side) return std::nullopt;
+    if (group.width - 1 >= most_group_side || group.height - 1 >= most_group_side) return std::nullopt;
     return group;
 }
 

@@ -8,6 +8,9 @@
 namespace clucida::host {
 namespace {
 
+constexpr std::size_t stats_count = std::size_t{STAT_SLOTS} * STAT_COUNT;
+constexpr std::size_t stats_words = stats_count + 1; ///< and STAT_NEXT
+static_assert(static_cast<int>(stats_count) == STAT_NEXT);
 constexpr std::size_t pixel_bytes = 4 * sizeof(float);
 constexpr Shape packet_block{16, 16}; ///< PACKET_TILE (kernels/packets/stacks.h)
 
@@ -30,10 +33,10 @@ class OpenclLane : public Lane {
 public:
     OpenclLane(Entry& entry, std::size_t pixels)
         : entry_(entry), tile_(entry.renderer.context, CL_MEM_READ_WRITE, pixels * pixel_bytes),
-          stats_(entry.renderer.context, CL_MEM_READ_WRITE, STAT_WORDS * sizeof(cl_uint)), no_stats_(STAT_WORDS)
+          stats_(entry.renderer.context, CL_MEM_READ_WRITE, stats_words * sizeof(cl_uint)), no_stats_(stats_words)
     {
         sums.resize(pixels * 4);
-        counters.resize(STAT_NEXT);
+        counters.resize(stats_count);
     }
     /// The device writes into the lane's memory.
     ~OpenclLane() override
@@ -48,7 +51,7 @@ public:
         const cl::CommandQueue& queue = entry_.renderer.queue;
         busy_ = true;
         // Not filled: Oclgrind 21.10 takes no note of fills and would call every counter uninitialized.
-        queue.enqueueWriteBuffer(stats_, CL_FALSE, 0, STAT_WORDS * sizeof(cl_uint), no_stats_.data());
+        queue.enqueueWriteBuffer(stats_, CL_FALSE, 0, stats_words * sizeof(cl_uint), no_stats_.data());
         cl_uint argument = BUFFER_COUNT;
         entry_.kernel.setArg(argument++, cl_uint{region.x});
         entry_.kernel.setArg(argument++, cl_uint{region.y});
@@ -67,7 +70,7 @@ public:
         }
         queue.enqueueNDRangeKernel(entry_.kernel, cl::NullRange, range, group, nullptr, &traced_);
         if (last) queue.enqueueReadBuffer(tile_, CL_FALSE, 0, area(region.shape) * pixel_bytes, sums.data());
-        queue.enqueueReadBuffer(stats_, CL_FALSE, 0, STAT_NEXT * sizeof(cl_uint), counters.data(), nullptr, &done_);
+        queue.enqueueReadBuffer(stats_, CL_FALSE, 0, stats_count * sizeof(cl_uint), counters.data(), nullptr, &done_);
         queue.flush();
     }
     void wait() override

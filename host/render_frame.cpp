@@ -4,6 +4,7 @@
 #include "host/opencl_tracer.h"
 #include "host/stopwatch.h"
 #include "host/trace.h"
+#include "host/workarounds.h"
 
 #include <fmt/format.h>
 
@@ -246,6 +247,9 @@ Frame render_frame(std::span<Renderer> renderers, const scene::Compiled& compile
             ++frame.retries;
             render_once(team, compiled, settings, hooks, frame);
         }
+        for (const Renderer& r : renderers)
+            if (const std::string why = explain_stuck(r.device.info); frame.statistics.stuck && !why.empty())
+                frame.notes.push_back(fmt::format("{}: {}", describe(r.device.info), why));
         return frame;
     } catch (const cl::Error& e) {
         throw Failure(fmt::format("{}: {}", describe(team.front().renderer->device.info), explain(e)));

@@ -191,8 +191,7 @@ private:
             notes_.push_back(fmt::format("a device failed, and the others took over: {}", why));
             fractions_[taker] = 0;
         };
-        const std::vector<std::size_t> left =
-            deal_frames(numbers, seconds, frames_ahead * takers.size(), render, failed);
+        std::vector<std::size_t> left = deal_frames(numbers, seconds, frames_ahead * takers.size(), render, failed);
         for (const scene::Needs& n : needs) needs_ = unite(needs_, n);
         return left;
     }

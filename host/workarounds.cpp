@@ -14,6 +14,14 @@ unsigned most_samples_of_launch(const DeviceInfo& device)
     return copies_calls(device) ? 1 : samples_per_launch;
 }
 
+std::string explain_stuck(const DeviceInfo& device)
+{
+    return copies_calls(device)
+               ? "the device ends loops before they are done: the pixels that it counts as stuck are wrong; "
+                 "a smaller --max-hops may help"
+               : "";
+}
+
 std::string workaround_options(const DeviceInfo& device)
 {
     // At each fma stands a routine of integers, which kernels/fused.h does with sums and products; the quick search is

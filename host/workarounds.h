@@ -15,6 +15,9 @@ bool copies_calls(const DeviceInfo& device);
 /// Samples of a pixel that a launch may take: where the loops of a work-item may turn so often only, one.
 unsigned most_samples_of_launch(const DeviceInfo& device);
 
+/// What work-items that are stuck mean on the device; empty if no more than that they are.
+std::string explain_stuck(const DeviceInfo& device);
+
 /// Options of the kernels' compiler that the device needs besides those of any other, each with a space before it.
 std::string workaround_options(const DeviceInfo& device);
 

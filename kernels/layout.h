@@ -236,7 +236,6 @@ enum LayoutStat {
 };
 #define STAT_SLOTS 64
 #define STAT_NEXT (STAT_SLOTS * STAT_COUNT) /* behind them: the next block of packets (render_packets.cl) */
-#define STAT_WORDS (STAT_NEXT + 1)
 
 /* What a traced segment came to (signature.h), in the order of tracing: a segment, then what its reflection led to,
  * then what its refraction led to. A branch that is black at once is not traced and has no event. */
