@@ -53,8 +53,7 @@ using RenderDealt = std::function<void(std::size_t taker, std::size_t frame)>;
 using TellFailure = std::function<void(std::size_t taker, const std::string& why)>;
 
 /// Renders frames in a thread for each taker, with arguments as FrameDeal's; returns those that are left for all
-/// together. @throws what render has
-/// thrown, after all have ended
+/// together. @throws what render has thrown, after all have ended
 std::vector<std::size_t> deal_frames(const std::vector<std::size_t>& frames, const std::vector<double>& seconds,
                                      std::size_t window, const RenderDealt& render, const TellFailure& failed);
 

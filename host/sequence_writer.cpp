@@ -24,7 +24,7 @@ SequenceWriter::SequenceWriter(const SequenceJob& job, const SequencePlan& plan,
 
 SequenceWriter::~SequenceWriter()
 {
-    if (!waiting_.empty()) film_.reset();
+    abandoned_ = !waiting_.empty();
     try {
         for (auto& [planned, frame] : waiting_) {
             const auto shared = std::make_shared<RenderedFrame>(std::move(frame));
@@ -78,7 +78,7 @@ void SequenceWriter::write(RenderedFrame frame)
     else
         pictures.push_back(compose(job_.motion->stereo().layout, std::move(frame.eyes)));
     write_files(frame.report, pictures);
-    if (film_) film_->add(develop_8(pictures[0], job_.encoding.transfer));
+    if (film_ && !abandoned_) film_->add(develop_8(pictures[0], job_.encoding.transfer));
     if (hooks_.finished) hooks_.finished(frame.report);
 }
 

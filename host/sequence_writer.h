@@ -4,6 +4,7 @@
 #include "host/sequence.h"
 #include "host/work_queue.h"
 
+#include <atomic>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -43,7 +44,8 @@ private:
     Shape size_;
     std::mutex mutex_; ///< of what follows
     std::map<const PlannedFrame*, RenderedFrame> waiting_;
-    std::size_t next_ = 0; ///< of the plan's frames: the first that was not pushed
+    std::size_t next_ = 0;                ///< of the plan's frames: the first that was not pushed
+    std::atomic<bool> abandoned_ = false; ///< the film is
     std::optional<WorkQueue> queue_;
 };
 

@@ -3,7 +3,8 @@
 
 A translation unit that includes several files takes little longer than one of them: most time goes into the headers of
 libraries. Files of one folder with the same compiler's options go together; where names of theirs collide, halves of
-them do. The analyzer of clang looks at what a unit's own file has only, so it sees nothing here. Needs build/compile_commands.json.
+them do. The analyzer of clang looks at what a unit's own file has only, so it sees nothing here. Needs
+build/compile_commands.json.
 """
 
 import json
