@@ -156,9 +156,7 @@ class Sequences(unittest.TestCase):
         for name in self.names():
             self.assertEqual((self.folder / "f" / name).read_bytes(), (self.folder / "g" / name).read_bytes(), name)
         self.assertEqual(self.probe("film.mkv")["nb_read_frames"], "40")
-        film = subprocess.run(["ffmpeg", "-v", "error", "-i", "film.mkv", "-f", "rawvideo", "-pix_fmt", "rgb24", "-"], cwd=self.folder, capture_output=True, check=True).stdout
-        size = 96 * 54 * 3
-        self.assertEqual(film, b"".join((self.folder / "f" / name).read_bytes()[-size:] for name in self.names()))
+        self.assertEqual(self.pixels("film.mkv"), b"".join(self.pictures(96 * 54)))
 
     def test_one_thing_after_the_other_several_devices_share_each_frame(self):
         out, _ = self.render("-o", "f/%02d.ppm", "--device", "0:0,native", "--in-flight", "1", "--json")
@@ -274,6 +272,14 @@ class Sequences(unittest.TestCase):
         )
         return json.loads(done.stdout)["streams"][0]
 
+    def pixels(self, film):
+        command = ["ffmpeg", "-v", "error", "-i", film, "-f", "rawvideo", "-pix_fmt", "rgb24", "-"]
+        return subprocess.run(command, cwd=self.folder, capture_output=True, check=True).stdout
+
+    def pictures(self, area):
+        """The pixels of the PPM files in f."""
+        return [(self.folder / "f" / name).read_bytes()[-3 * area :] for name in self.names()]
+
     def test_films_by_ffmpeg(self):
         for ending, codec in (("mp4", "h264"), ("webm", "vp9"), ("gif", "gif"), ("mkv", "ffv1")):
             with self.subTest(ending=ending):
@@ -286,11 +292,9 @@ class Sequences(unittest.TestCase):
 
     def test_a_film_without_loss_holds_the_pictures(self):
         self.render("-o", "f/%02d.ppm", "-o", "film.mkv")
-        frames = subprocess.run(["ffmpeg", "-v", "error", "-i", "film.mkv", "-f", "rawvideo", "-pix_fmt", "rgb24", "-"], cwd=self.folder, capture_output=True, check=True).stdout
-        size = 32 * 18 * 3
-        pictures = [(self.folder / "f" / name).read_bytes()[-size:] for name in self.names()]
+        pictures = self.pictures(32 * 18)
         self.assertEqual(len(pictures), 12)
-        self.assertEqual(frames, b"".join(pictures))
+        self.assertEqual(self.pixels("film.mkv"), b"".join(pictures))
 
     def test_streams_to_standard_output(self):
         raw, _ = self.render("-o", "-", "--format-out", "rgb")
