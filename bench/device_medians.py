@@ -23,7 +23,7 @@ def main():
     complete = [s for s in scenes.values() if all(way in s for way in ways)]
     if len(complete) < len(scenes):
         print("left out, for something failed: %d scenes\n" % (len(scenes) - len(complete)))
-    print("| device | kernel, precision | time | least to most | processors' time | compiled, s | most | cached, s | RMSE |")
+    print("| device | kernel, precision | time | least to most | processors' time | compiled, s | most | cached, s | RMSE, median |")
     print("|---|---|---:|---:|---:|---:|---:|---:|---:|")
     for way in ways:
         ratios = [s[way]["real_time"] / s[first]["real_time"] for s in complete]

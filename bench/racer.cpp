@@ -6,6 +6,7 @@
 #include "host/interrupt.h"
 #include "host/share_work.h"
 #include "host/stopwatch.h"
+#include "kernels/packets/tile.h"
 
 #include <algorithm>
 #include <array>
@@ -63,7 +64,7 @@ void trace_natively(const NativeLibrary& library, const scene::Compiled& compile
     const std::size_t row_floats = std::size_t{4} * width;
     std::vector<float> sums(row_floats * height);
     std::vector<host::Statistics> counted(threads);
-    const unsigned band = frame.kernel == host::KernelShape::packets ? 16 : 1; // rows, as high as a block of packets
+    const unsigned band = frame.kernel == host::KernelShape::packets ? PACKET_TILE : 1; // rows
     host::share_work((height + band - 1) / band, threads, [&](std::size_t number, unsigned worker) {
         if (host::interrupted()) return;
         std::array<std::uint32_t, STAT_COUNT> counters{};

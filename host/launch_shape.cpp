@@ -62,6 +62,18 @@ Shape fastest_group(Shape usual, const std::vector<Shape>& candidates, const Tim
     return best;
 }
 
+double least_seconds(Lane& lane, const Region& region, unsigned looks)
+{
+    double least = HUGE_VAL;
+    for (unsigned i = 0; i < looks; ++i) {
+        const Stopwatch watch;
+        lane.launch(region, 0, 1, true);
+        lane.wait();
+        least = std::min(least, watch.seconds());
+    }
+    return least;
+}
+
 double time_middle(Tracer& tracer, Shape picture, std::size_t pixels)
 {
     const double scale = std::min(std::sqrt(static_cast<double>(pixels) / static_cast<double>(area(picture))), 1.0);
@@ -70,14 +82,7 @@ double time_middle(Tracer& tracer, Shape picture, std::size_t pixels)
     const Region region{(picture.width - std::min(picture.width, shape.width)) / 2,
                         (picture.height - std::min(picture.height, shape.height)) / 2, shape};
     const auto lane = tracer.make_lane(area(shape));
-    double least = HUGE_VAL;
-    for (int i = 0; i < 3; ++i) { // the first, with whatever comes with it, is not the best
-        const Stopwatch watch;
-        lane->launch(region, 0, 1, true);
-        lane->wait();
-        least = std::min(least, watch.seconds());
-    }
-    return least;
+    return least_seconds(*lane, region, 3); // the first, with whatever comes with it, is not the best
 }
 
 } // namespace clucida::host

@@ -26,6 +26,9 @@ using TimeGroup = std::function<std::optional<double>(Shape group)>;
 /// implementations compile anew for each shape.
 Shape fastest_group(Shape usual, const std::vector<Shape>& candidates, const TimeGroup& seconds);
 
+/// Seconds of the best of so many launches (at least one) of a region's first sample. @throws cl::Error, Failure
+double least_seconds(Lane& lane, const Region& region, unsigned looks);
+
 /// Seconds of the best of a few launches over a region of about so many pixels in the picture's middle. @throws
 /// cl::Error
 double time_middle(Tracer& tracer, Shape picture, std::size_t pixels);

@@ -3,6 +3,7 @@
 #include "host/errors.h"
 #include "host/share_work.h"
 #include "kernels/native_api.h"
+#include "kernels/packets/tile.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -17,7 +18,7 @@ namespace {
 using Render = decltype(&native_render_f);
 
 constexpr std::uint32_t imitations = scene::feature_as_gun | scene::feature_as_rayt;
-constexpr unsigned side = 16; ///< of the blocks that threads take: PACKET_TILE
+constexpr unsigned side = PACKET_TILE; ///< of the blocks that threads take
 constexpr unsigned packet_lanes = 8;
 
 std::string processor_name()

@@ -1,6 +1,7 @@
 #include "host/opencl_tracer.h"
 
 #include "host/workarounds.h"
+#include "kernels/packets/tile.h"
 
 #include <algorithm>
 #include <limits>
@@ -12,7 +13,7 @@ constexpr std::size_t stats_count = std::size_t{STAT_SLOTS} * STAT_COUNT;
 constexpr std::size_t stats_words = stats_count + 1; ///< and STAT_NEXT
 static_assert(static_cast<int>(stats_count) == STAT_NEXT);
 constexpr std::size_t pixel_bytes = 4 * sizeof(float);
-constexpr Shape packet_block{16, 16}; ///< PACKET_TILE (kernels/packets/stacks.h)
+constexpr Shape packet_block{PACKET_TILE, PACKET_TILE};
 
 /// A kernel with the scene's buffers set.
 struct Entry {

@@ -103,7 +103,7 @@ void make_ready(Member& m, const scene::Compiled& compiled, const scene::Needs& 
 
     const bool known = r.sample_seconds && !settings.measure;
     if (known || (settings.tile && !of_several)) return;
-    Probe seen = probe(*m.tracer, settings.picture);
+    Probe seen = probe(*m.tracer, settings.picture, of_several ? 2 : 1);
     r.sample_seconds = seen.sample_seconds;
     m.seen = std::move(seen.rgb);
     if (r.device.info.native) return;
@@ -204,6 +204,16 @@ void make_all_ready(std::vector<Member>& team, const scene::Compiled& compiled, 
     }
 }
 
+/// What stuck work-items mean, of devices that know.
+void note_stuck(std::span<const Member> team, Frame& frame)
+{
+    for (const Member& m : team) {
+        const DeviceInfo& device = m.renderer->device.info;
+        if (const std::string why = explain_stuck(device); !why.empty())
+            frame.notes.push_back(fmt::format("{}: {}", describe(device), why));
+    }
+}
+
 void render_once(std::vector<Member>& team, const scene::Compiled& compiled, const RenderSettings& settings,
                  const RenderHooks& hooks, Frame& frame)
 {
@@ -247,9 +257,7 @@ Frame render_frame(std::span<Renderer> renderers, const scene::Compiled& compile
             ++frame.retries;
             render_once(team, compiled, settings, hooks, frame);
         }
-        for (const Renderer& r : renderers)
-            if (const std::string why = explain_stuck(r.device.info); frame.statistics.stuck && !why.empty())
-                frame.notes.push_back(fmt::format("{}: {}", describe(r.device.info), why));
+        if (frame.statistics.stuck) note_stuck(team, frame);
         return frame;
     } catch (const cl::Error& e) {
         throw Failure(fmt::format("{}: {}", describe(team.front().renderer->device.info), explain(e)));

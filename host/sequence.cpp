@@ -139,19 +139,20 @@ private:
 
     std::shared_ptr<const CompiledFrame> compiled(std::size_t number)
     {
-        if (!plan_.moves) {
-            const std::lock_guard lock(mutex_);
-            if (!still_) still_ = std::make_shared<const CompiledFrame>(job_.motion->compile(todo_[number]->frame));
-            return still_;
-        }
-        return std::make_shared<const CompiledFrame>(job_.motion->compile(todo_[number]->frame));
+        const auto compile = [&] {
+            return std::make_shared<const CompiledFrame>(job_.motion->compile(todo_[number]->frame));
+        };
+        if (plan_.moves) return compile();
+        const std::lock_guard lock(mutex_);
+        if (!still_) still_ = compile();
+        return still_;
     }
 
     /// All devices share each frame, while the next is compiled.
     void render_together(const std::vector<std::size_t>& numbers)
     {
         using Next = std::future<std::shared_ptr<const CompiledFrame>>;
-        const auto policy = job_.in_flight > 1 ? std::launch::async : std::launch::deferred;
+        const auto policy = plan_.moves && job_.in_flight > 1 ? std::launch::async : std::launch::deferred;
         const auto compile = [&](std::size_t i) {
             return i < numbers.size() ? std::async(policy, [&, i] { return compiled(numbers[i]); }) : Next();
         };

@@ -76,8 +76,8 @@ struct SequenceReport {
 struct SequenceHooks {
     std::function<void(double fraction)> progress = {}; ///< of the frames that are traced, in sum
     std::function<bool()> cancelled = {};               ///< asked between launches
-    std::function<void(const FrameReport&)> finished =
-        {}; ///< from a thread of its own, in order unless the work has ended early
+    /// From a thread of its own, in order unless the work has ended early.
+    std::function<void(const FrameReport&)> finished = {};
 };
 
 /// Of several devices, each renders whole frames, from the second on, and all share the last ones: the pictures do not

@@ -2,13 +2,13 @@
 
 #include "host/canvas.h"
 #include "host/errors.h"
+#include "host/launch_shape.h"
 #include "host/stopwatch.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <exception>
 #include <thread>
 
@@ -172,7 +172,7 @@ void warm_up(Tracer& tracer)
     lane->wait();
 }
 
-Probe probe(Tracer& tracer, Shape picture)
+Probe probe(Tracer& tracer, Shape picture, unsigned looks)
 {
     const Shape shape = round_up({std::min(picture.width, 32u), std::min(picture.height, 32u)}, tracer.grain());
     const auto lane = tracer.make_lane(area(shape));
@@ -181,13 +181,7 @@ Probe probe(Tracer& tracer, Shape picture)
     constexpr std::array<std::array<unsigned, 2>, 3> quarters = {{{2, 2}, {1, 3}, {3, 3}}};
     for (const auto& [qx, qy] : quarters) {
         const Region region{picture.width / 4 * qx, picture.height / 4 * qy, shape};
-        double seconds = HUGE_VAL; // the better of two: others may hold one up
-        for (int i = 0; i < 2; ++i) {
-            const Stopwatch watch;
-            lane->launch(region, 0, 1, true);
-            lane->wait();
-            seconds = std::min(seconds, watch.seconds());
-        }
+        const double seconds = least_seconds(*lane, region, looks);
         out.sample_seconds = std::max(out.sample_seconds, seconds / static_cast<double>(area(shape)));
         const Shape part = Region{region.x, region.y, least_cell}.visible(picture);
         for (unsigned j = 0; j < std::min(part.height, shape.height); ++j)

@@ -15,8 +15,8 @@ struct Probe {
     std::vector<float> rgb; ///< the same pixels whatever the device
 };
 
-/// @throws cl::Error, Failure
-Probe probe(Tracer& tracer, Shape picture);
+/// looks: at each tile, of which the fastest counts: others may hold one up. @throws cl::Error, Failure
+Probe probe(Tracer& tracer, Shape picture, unsigned looks);
 
 /// Launches for no samples at all and waits, so that whatever the implementation does at first is done.
 void warm_up(Tracer& tracer);

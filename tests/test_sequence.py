@@ -65,6 +65,17 @@ class Sequences(unittest.TestCase):
     def names(self, folder="f"):
         return sorted(p.name for p in (self.folder / folder).iterdir())
 
+    def interrupt_after(self, pictures, *arguments):
+        process = self.start("-o", "f/%d.png", "--samples", "64", *arguments, size="320x180")
+        while not all((self.folder / f"f/{i}.png").exists() for i in range(1, pictures + 1)):
+            time.sleep(0.02)
+            self.assertIsNone(process.poll())
+        process.send_signal(signal.SIGINT)
+        process.communicate()
+        self.assertEqual(process.returncode, 130)
+        self.assertTrue(all(name.endswith(".png") for name in self.names()))
+        self.assertLess(len(self.names()), 12)
+
     # ranges
 
     def test_all_frames_or_those_that_are_named(self):
@@ -163,15 +174,7 @@ class Sequences(unittest.TestCase):
         self.assertTrue(all(" + " in f["device"] for f in json.loads(out)["frames"]))
 
     def test_what_is_finished_is_kept_by_several_devices_too(self):
-        process = self.start("-o", "f/%d.png", "--samples", "64", "--device", "0:0,native", size="320x180")
-        while len(list((self.folder / "f").glob("*.png"))) < 3:
-            time.sleep(0.02)
-            self.assertIsNone(process.poll())
-        process.send_signal(signal.SIGINT)
-        process.communicate()
-        self.assertEqual(process.returncode, 130)
-        self.assertTrue(all(name.endswith(".png") for name in self.names()))
-        self.assertLess(len(self.names()), 12)
+        self.interrupt_after(3, "--device", "0:0,native")
 
     def test_parameters_change_the_picture(self):
         self.render("-o", "a.png")
@@ -243,15 +246,7 @@ class Sequences(unittest.TestCase):
         (self.folder / "f/.other.abcdef").unlink()
 
     def test_an_interrupt_keeps_what_is_finished(self):
-        process = self.start("-o", "f/%d.png", "--samples", "64", size="320x180")
-        while not list((self.folder / "f").glob("1.png")):
-            time.sleep(0.02)
-            self.assertIsNone(process.poll())
-        process.send_signal(signal.SIGINT)
-        process.communicate()
-        self.assertEqual(process.returncode, 130)
-        self.assertTrue(all(name.endswith(".png") for name in self.names()))
-        self.assertLess(len(self.names()), 12)
+        self.interrupt_after(1)
 
     def test_a_vanished_folder_and_a_full_disk_end_with_1(self):
         _, err = self.render("-o", "none/%d.png", code=1)

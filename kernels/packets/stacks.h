@@ -3,8 +3,8 @@
 #define CLUCIDA_PACKETS_STACKS_H
 
 #include "kernels/packets/packet.h"
+#include "kernels/packets/tile.h"
 
-#define PACKET_TILE 16u
 #define PIXEL_BITS 8u
 #define PIXEL_MASK ((1u << PIXEL_BITS) - 1u)
 
