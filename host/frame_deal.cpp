@@ -11,7 +11,7 @@
 namespace clucida::host {
 
 FrameDeal::FrameDeal(const std::vector<std::size_t>& frames, const std::vector<double>& seconds, std::size_t window)
-    : window_(window), open_(frames.begin(), frames.end())
+    : last_(seconds), window_(window), open_(frames.begin(), frames.end())
 {
     for (const double s : seconds) speeds_.push_back(1 / s);
 }
@@ -41,7 +41,8 @@ void FrameDeal::finish(std::size_t taker, std::size_t frame, double seconds)
 {
     const std::lock_guard lock(mutex_);
     taken_.erase(frame);
-    speeds_[taker] = 1 / std::max(seconds, 1e-9);
+    speeds_[taker] = 1 / std::max(std::min(seconds, last_[taker]), 1e-9);
+    last_[taker] = seconds;
     changed_.notify_all();
 }
 

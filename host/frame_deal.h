@@ -27,7 +27,8 @@ public:
 
     /// Waits while the next lies beyond the window. nullopt: it gets no more.
     std::optional<std::size_t> take(std::size_t taker);
-    /// Done in so many seconds, as the next is expected to be.
+    /// Done in so many seconds. The next is expected to take that or what the one before took, whichever is less:
+    /// one stall of a busy machine does not shut a taker out.
     void finish(std::size_t taker, std::size_t frame, double seconds);
     /// The taker has failed: its frame is for the others, and it is not counted on any more.
     void give_back(std::size_t taker, std::size_t frame);
@@ -40,6 +41,7 @@ private:
     double share(std::size_t taker) const;
 
     std::vector<double> speeds_; ///< of each taker, frames/s
+    std::vector<double> last_;   ///< seconds of each taker's last frame
     std::size_t window_;
     std::mutex mutex_;
     std::condition_variable changed_;
