@@ -55,40 +55,56 @@ static inline int interface_leaves(const Interface* face, const Interior* interi
     return 1;
 }
 
+/* The objects that a full search looks at, one after the other: those of the interior, those that the ray meets, and
+ * once more those that it leaves together: one may be entered anew before rounding can tell, and no gap is seen then:
+ * it counts twice. */
+typedef struct {
+    Walk walk;
+    u32 next;  /* of the interior's, or of those once more */
+    u32 again; /* how many once more; 0 before */
+} Candidates;
+
+/* The next one, with whether it is of the interior; WALK_DONE after the last. What is nearer than `from` is no matter.
+ */
+static inline u32 next_candidate(World* world, Candidates* c, const Interior* interior, const Interface* face,
+                                 real from, real err, int* inside)
+{
+    *inside = !c->again && c->next < interior->count;
+    if (*inside) return interior->ids[c->next++];
+    while (!c->again) {
+        const u32 id = walk_next(&c->walk, world, from, face->t + err);
+        if (id == WALK_DONE) {
+            if (!interface_leaves(face, interior)) return WALK_DONE;
+            c->again = face->count;
+            c->next = 0;
+        } else if (!interior_has(interior, id)) {
+            return id;
+        }
+    }
+    return c->next < c->again ? face->ids[c->next++] : WALK_DONE;
+}
+
 /* The nearest crossing of any object from ray parameter x on, and those that rounding cannot tell from it. Returns 0 if
- * there is none. Objects that are left together are looked at again from there: one may be entered anew before rounding
- * can tell, and no gap is seen then: it counts twice. */
+ * there is none. */
 static inline int nearest_interface(World* world, const Ray* ray, real x, real err, const Interior* interior,
                                     Interface* face)
 {
-    u32 again = 0; /* how many are */
     face->t = INFINITE;
     face->count = 0;
     COUNT(world, STAT_QUERIES);
-    Walk walk;
-    walk_begin(&walk, ray);
-    for (u32 i = 0;; i++) {
-        const int inside = !again && i < interior->count;
-        u32 id;
-        if (again) {
-            if (i == again) break;
-            id = face->ids[i];
-        } else {
-            id = inside ? interior->ids[i] : walk_next(&walk, world, x - err, face->t + err);
-            if (id == WALK_DONE) {
-                if (!interface_leaves(face, interior)) break;
-                again = face->count;
-                i = 0;
-                id = face->ids[0];
-            } else if (!inside && interior_has(interior, id)) {
-                continue;
-            }
-        }
+    Candidates candidates;
+    candidates.next = candidates.again = 0;
+    walk_begin(&candidates.walk, ray);
+    for (;;) {
+        int inside;
+        const u32 id = next_candidate(world, &candidates, interior, face, x - err, err, &inside);
+        if (id == WALK_DONE) return face->count > 0;
         COUNT(world, STAT_TESTS);
         const Line line = make_line(ray, &world->objects[id]);
         Place place = place_at(&line, x, err, inside);
+        const int again = candidates.again > 0;
         if (again) {
-            const Crossing left = face->crossings[i];
+            const Crossing left = face->crossings[candidates.next - 1];
             place.t = left.t;
             place.at = left.at;
             if (left.t > x) place.err = R(0);
@@ -97,7 +113,6 @@ static inline int nearest_interface(World* world, const Ray* ray, real x, real e
         if (object_crossing(world, &world->objects[id], &line, place, &crossing) && (!again || crossing.t > place.t))
             interface_add(face, id, crossing);
     }
-    return face->count > 0;
 }
 
 /* The objects that hold the ray's start, just after it; of the medium there and those above it that is known. */
