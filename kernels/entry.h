@@ -3,6 +3,7 @@
 #ifndef CLUCIDA_ENTRY_H
 #define CLUCIDA_ENTRY_H
 
+#include "kernels/loops.h"
 #include "kernels/observer.h"
 
 /* clang-format off */

@@ -2,7 +2,6 @@
 #ifndef CLUCIDA_SURFACE_H
 #define CLUCIDA_SURFACE_H
 
-#include "kernels/loops.h"
 #include "kernels/nearest.h"
 #include "kernels/quick.h"
 
@@ -64,7 +63,7 @@ static CALLED int full_surface(World* world, const Ray* ray, u32 medium, Surface
             const u32 shown = before < after ? before : after;
             u32 i = 0;
             while (i + 1 < face.count && face.ids[i] != shown) i++;
-            if (face.crossings[i].face != MEMBER_NONE && loops_turn(world)) {
+            if (face.crossings[i].face != MEMBER_NONE) {
                 const real shared = step > 0 ? here : R(0);
                 const real left = face.t - x <= CLEAR * err ? err : R(0);
                 const real spread = interface_spread(&face, face.crossings[i].t);
