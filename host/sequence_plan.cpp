@@ -2,6 +2,7 @@
 
 #include "host/errors.h"
 #include "host/fingerprint.h"
+#include "host/share_work.h"
 
 #include <fmt/format.h>
 
@@ -55,26 +56,21 @@ scene::Needs needs_of(const CompiledFrame& compiled)
 /// Does `work` for each index below count, on several threads; what the least index threw is thrown.
 void for_each_index(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work)
 {
-    std::atomic<std::size_t> next{0};
+    std::atomic<std::size_t> failed{count}; // the least
     std::mutex mutex;
-    std::size_t failed = count;
     std::exception_ptr failure;
-    const auto run = [&] {
-        for (std::size_t i = next++; i < count; i = next++) {
-            try {
-                work(i);
-            } catch (...) {
-                const std::lock_guard lock(mutex);
-                if (i < failed) failure = std::current_exception();
-                failed = std::min(failed, i);
-                next = count;
-            }
+    const auto most = static_cast<unsigned>(std::min<std::size_t>(threads, count));
+    share_work(count, most, [&](std::size_t i, unsigned) {
+        if (i > failed) return;
+        try {
+            work(i);
+        } catch (...) {
+            const std::lock_guard lock(mutex);
+            if (i > failed) return;
+            failed = i;
+            failure = std::current_exception();
         }
-    };
-    std::vector<std::thread> others;
-    for (unsigned i = 1; i < threads && i < count; ++i) others.emplace_back(run);
-    run();
-    for (std::thread& thread : others) thread.join();
+    });
     if (failure) std::rethrow_exception(failure);
 }
 

@@ -64,8 +64,7 @@ typedef struct {
     u32 again; /* how many once more; 0 before */
 } Candidates;
 
-/* The next one, with whether it is of the interior; WALK_DONE after the last. What is nearer than `from` is no matter.
- */
+/* The next one, with whether it is of the interior; WALK_DONE after the last. Nearer than `from` is no matter. */
 static inline u32 next_candidate(World* world, Candidates* c, const Interior* interior, const Interface* face,
                                  real from, real err, int* inside)
 {
